@@ -53,13 +53,17 @@ pub struct Stage {
 /// What became of the pictures of an exercise.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub enum Drawn {
-    /// They are drawn.
+    /// Each pixel has an answer.
     Whole,
+    /// This number of pixels has no answer that can be read, the first of them for this reason.
+    Holes(usize, String),
+    /// No pixel of the first pass has an answer, for this reason; nothing is shown.
+    Nothing(String),
     /// This function is not written yet.
     NotWritten(String),
 }
 
-/// Asks all pixels of picture number `picture`, and shows the picture after each pass.
+/// Asks all pixels of picture number `picture`, and shows the picture after each pass, if there is anything to be seen.
 ///
 /// # Errors
 /// If the program cannot be started, or what is shown cannot be kept.
@@ -90,6 +94,7 @@ pub fn draw(
         golden,
         block: 0,
     };
+    let (mut missing, mut first_why) = (0, None);
     for (block, pixels) in passes(width, height) {
         let line = |&(x, y): &(u32, u32)| {
             let question = row::format(exercise.question, &question(x, y));
@@ -97,19 +102,29 @@ pub fn draw(
         };
         let asked: Vec<_> = pixels.iter().map(line).collect();
         for ((x, y), reply) in pixels.into_iter().zip(asker.ask_many(&asked)?) {
-            let drawn = match reply.said {
+            let answer = match &reply.said {
                 Said::Todo(name) => return Ok(Drawn::NotWritten(name.unescaped().to_owned())),
-                Said::Answer(answer) => {
-                    let answer = exercise.read_answer(answer.unescaped());
-                    answer.map_or(MISSING, |answer| colour(&question(x, y), &answer))
-                }
-                _ => MISSING,
+                Said::Answer(answer) => exercise
+                    .read_answer(answer.unescaped())
+                    .map_err(|error| error.to_string()),
+                said => Err(said.why_none().unwrap_or_default() + said.help()),
             };
-            yours.set(x as usize, y as usize, drawn);
+            match answer {
+                Ok(answer) => yours.set(x as usize, y as usize, colour(&question(x, y), &answer)),
+                Err(why) => {
+                    missing += 1;
+                    first_why.get_or_insert(why);
+                }
+            }
+        }
+        if let Some(why) = &first_why
+            && missing == asked.len()
+        {
+            return Ok(Drawn::Nothing(why.clone()));
         }
         stage.block = block;
         stage.yours = spread(&yours, block);
         show(&stage)?;
     }
-    Ok(Drawn::Whole)
+    Ok(first_why.map_or(Drawn::Whole, |why| Drawn::Holes(missing, why)))
 }

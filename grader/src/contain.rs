@@ -145,8 +145,8 @@ pub fn signal_name(status: ExitStatus) -> String {
     if let Some(signal) = std::os::unix::process::ExitStatusExt::signal(&status) {
         let meaning = match signal {
             4 => " (illegal instruction)",
-            6 => " (abort)",
-            8 => " (arithmetic error)",
+            6 => " (abort: a condition of the language's library or of your own does not hold)",
+            8 => " (arithmetic error: a whole number is divided by 0)",
             9 => " (killed)",
             11 => " (segmentation fault: memory that is not yours, or endless recursion)",
             24 => " (its processor time is used up)",

@@ -50,12 +50,16 @@ pub fn number_within(name: &str, unit: &str, golden: f32, got: f32, tolerance: f
             (got - golden).abs(),
             if got > golden { "large" } else { "small" },
         );
-        let much = if much >= 0.001 {
-            format!("{much:.4}")
-        } else {
-            format!("{much:.1e}")
-        };
-        Err(format!("{name} is {much}{unit} too {side}"))
+        Err(format!("{name} is {}{unit} too {side}", size(much)))
+    }
+}
+
+/// A size in few digits, however small.
+fn size(size: f32) -> String {
+    if size >= 0.001 || size == 0.0 {
+        format!("{size:.4}")
+    } else {
+        format!("{size:.1e}")
     }
 }
 
@@ -91,7 +95,8 @@ pub fn direction(name: &str, golden: Vec3, got: Vec3) -> Verdict {
     let length = got.length();
     if (length - 1.0).abs() > LENGTH {
         return Err(format!(
-            "{name} has length {length:.4}; a direction has length 1"
+            "{name} has length {}; a direction has length 1",
+            size(length)
         ));
     }
     // By the chord: near 0 the cosine has lost the angle's digits.

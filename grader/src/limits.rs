@@ -196,7 +196,7 @@ fn of_leeways(name: &str, measured: &[[Leeway; 2]], together: bool) -> Option<St
     });
     let always = measured.iter().flatten().all(|off| *off == Leeway::Exact);
     let often = if always { "" } else { " in most cases" };
-    let how = how.unwrap_or_else(|| format!("changed alone makes the answer wrong{often}"));
+    let how = how.unwrap_or_else(|| format!("no other value is right{often}"));
     let together = if together {
         "all of them together, "
     } else {

@@ -87,22 +87,31 @@ fn elements(words: &[&str]) -> Option<(usize, usize)> {
 
 /// The first lines of an output, under a heading; none if nothing was printed there.
 fn told(heading: &str, output: &Untrusted) -> Vec<String> {
-    /// More lines, or longer ones, nobody reads here.
+    /// More lines nobody reads here.
     const MOST: usize = 12;
-    const WIDEST: usize = 160;
     let count = full(output).count();
     if count == 0 {
         return Vec::new();
     }
     let mut lines = vec![format!("  {heading}:")];
-    lines.extend(full(output).take(MOST).map(|line| {
-        let line: String = line.to_string().chars().take(WIDEST).collect();
-        format!("    | {line}")
-    }));
+    let lines_shown = full(output).take(MOST);
+    lines.extend(lines_shown.map(|line| format!("    | {}", ends(&line.to_string()))));
     if count > MOST {
         lines.push(format!("    | … and {} more lines", count - MOST));
     }
     lines
+}
+
+/// A line without its middle if it is long: an error begins with the place, and ends with what is wrong.
+fn ends(line: &str) -> String {
+    const BEGIN: usize = 80;
+    const END: usize = 79;
+    let letters: Vec<char> = line.chars().collect();
+    if letters.len() <= BEGIN + END + 1 {
+        return line.to_owned();
+    }
+    let (begin, end) = (&letters[..BEGIN], &letters[letters.len() - END..]);
+    begin.iter().chain(&['…']).chain(end).collect()
 }
 
 /// The lines that are not empty.

@@ -182,13 +182,32 @@ pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found 
 }
 
 /// The least work of any search that asks boxes: that of one that knows the hit, if there is one, and opens only what the ray
-/// enters before it. Boxes are a little smaller here, and the way shorter: what the ray only grazes may be left out.
+/// enters before it. Boxes are a little smaller here, and the way shorter: what the ray only grazes may be left out. A search that asks
+/// the box of the root first has no work where the ray misses it.
 pub fn least(tree: &Tree, root: &Node, hit: Option<&MeshHitAnswer>) -> Found {
+    if hit.is_none() && misses(tree, root) {
+        return Found::default();
+    }
     let end = hit.map_or(tree.within.max, |hit| hit.t - GRAZED * hit.t.abs());
     let within = tree.within.before(end);
     let mut least = search_grown(&Tree { within, ..*tree }, root, -GRAZED);
     least.tests = least.tests.max(u32::from(hit.is_some()));
     least
+}
+
+/// Whether the ray misses the box around a node, or only grazes it.
+fn misses(tree: &Tree, node: &Node) -> bool {
+    let corners = |&id: &u32| {
+        let Corners { p0, p1, p2 } = tree.triangles[id as usize];
+        Aabb::of([p0, p1, p2])
+    };
+    let parts: Vec<_> = match node {
+        Node::Branch(branch) => (tree.children)(*branch).into_iter().map(|child| child.0).collect(),
+        Node::Leaf(ids) => ids.iter().map(corners).collect(),
+    };
+    let around = parts.iter().fold(Aabb::EMPTY, |all, part| all.union(part));
+    let enters = RayBox::new(tree.ray).enters(&grown(around, -GRAZED), tree.within);
+    enters.is_none()
 }
 
 /// The work of any search that asks boxes where nothing is hit: all do the same. Boxes are a little larger here: what the ray
@@ -202,14 +221,19 @@ const GRAZED: f32 = 1e-3;
 
 /// Searches a tree whose boxes are larger by a fraction of their size on every side.
 fn search_grown(tree: &Tree, root: &Node, fraction: f32) -> Found {
-    let grown = |(bounds, node): (Aabb, Node)| {
-        let by = fraction * bounds.size();
-        let (min, max) = (bounds.min - by, bounds.max + by);
-        (Aabb { min, max }, node)
-    };
-    let children = |branch| (tree.children)(branch).into_iter().map(grown).collect();
+    let grow = |(bounds, node): (Aabb, Node)| (grown(bounds, fraction), node);
+    let children = |branch| (tree.children)(branch).into_iter().map(grow).collect();
     let children = &children;
     search(&Tree { children, ..*tree }, root, |_| {})
+}
+
+/// A box that is larger by a fraction of its size on every side.
+fn grown(bounds: Aabb, fraction: f32) -> Aabb {
+    let by = fraction * bounds.size();
+    Aabb {
+        min: bounds.min - by,
+        max: bounds.max + by,
+    }
 }
 
 /// That as much work is counted as there must be at the least.

@@ -14,6 +14,8 @@ pub struct Functions<'a> {
     /// Asks the program. Without one, the course answers.
     asker: Option<Asker<'a>>,
     written: Vec<&'static str>,
+    /// Those that are written, but gave no answer to the first question, and why.
+    silent: Vec<(&'static str, String)>,
     /// How many questions had no answer that can be read.
     pub unanswered: usize,
 }
@@ -25,7 +27,7 @@ impl<'a> Functions<'a> {
     /// If the program cannot be started.
     pub fn of(program: &'a Program, limits: Limits) -> io::Result<Self> {
         let mut asker = Asker::new(program, limits);
-        let mut written = Vec::new();
+        let (mut written, mut silent) = (Vec::new(), Vec::new());
         for examiner in PARTS.iter().filter_map(|part| cases::find(part.exercise)) {
             let name = examiner.name();
             // A golden file that is broken is told by a check.
@@ -33,17 +35,18 @@ impl<'a> Functions<'a> {
             let line = |numbers: &[f64]| row::format(examiner.asked().question, numbers);
             let question = named.first().map(|case| line(&case.question));
             let question = question.map(|line| format!("{name} {line}"));
-            let replies = asker.ask(question.as_slice())?;
-            if replies
-                .iter()
-                .any(|reply| matches!(reply.said, Said::Answer(_)))
-            {
-                written.push(name);
+            for reply in asker.ask(question.as_slice())? {
+                match (&reply.said, reply.said.why_none()) {
+                    (Said::Todo(_), _) => {}
+                    (_, None) => written.push(name),
+                    (said, Some(why)) => silent.push((name, why + said.help())),
+                }
             }
         }
         Ok(Self {
             asker: Some(asker),
             written,
+            silent,
             unanswered: 0,
         })
     }
@@ -55,6 +58,7 @@ impl<'a> Functions<'a> {
         Self {
             asker: None,
             written: exercises.map(|asked| asked.name).collect(),
+            silent: Vec::new(),
             unanswered: 0,
         }
     }
@@ -62,6 +66,12 @@ impl<'a> Functions<'a> {
     /// Whether an exercise of this name is written.
     pub fn are_there(&self, exercise: &str) -> bool {
         self.written.contains(&exercise)
+    }
+
+    /// Why an exercise of this name, which is written, gave no answer.
+    pub fn why_silent(&self, exercise: &str) -> Option<&str> {
+        let (_, why) = self.silent.iter().find(|(name, _)| *name == exercise)?;
+        Some(why)
     }
 
     /// Whether an exercise is written.

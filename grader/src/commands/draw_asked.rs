@@ -15,7 +15,8 @@ use raybook_workbook::curriculum::Chapter;
 use std::io;
 use std::path::Path;
 
-/// Draws the pictures of a chapter's exercises into `out/`, each beside the reference's; false if one is not written yet.
+/// Draws the pictures of a chapter's exercises into `out/`, each beside the reference's; false if one is not written yet, or has pixels
+/// without an answer.
 pub fn run(workbook: &Path, chapter: &Chapter) -> Done {
     let names = chapter.exercises().iter().map(|exercise| exercise.name);
     let pictured = names.filter_map(cases::find);
@@ -37,11 +38,12 @@ pub fn run(workbook: &Path, chapter: &Chapter) -> Done {
     Ok(all)
 }
 
-/// Draws the pictures of an exercise; false if it is not written yet.
+/// Draws the pictures of an exercise; false if it is not written yet, or a pixel has no answer.
 fn one(program: &Program, examiner: &dyn Examiner, workbook: &Path, folder: &Path) -> Done {
     let name = examiner.name();
     let mut asker = Asker::new(program, Limits::default());
     let several = examiner.pictures().len() > 1;
+    let mut all = true;
     for picture in 0..examiner.pictures().len() {
         let mut path = folder.join(name).with_extension("png");
         let drawn = draw(&mut asker, examiner, picture, &mut |stage| {
@@ -52,6 +54,17 @@ fn one(program: &Program, examiner: &dyn Examiner, workbook: &Path, folder: &Pat
         })?;
         match drawn {
             Drawn::Whole => say(format!("{name}: {}", Untrusted::from(path.as_path()))),
+            Drawn::Holes(missing, why) => {
+                let path = Untrusted::from(path.as_path());
+                say(format!(
+                    "{name}: {path}\n  {missing} pixels are magenta, since they have no answer; the first: {why}"
+                ));
+                all = false;
+            }
+            Drawn::Nothing(why) => {
+                say(format!("{name} is not drawn: {why}."));
+                return Ok(false);
+            }
             Drawn::NotWritten(missing) => {
                 let place = student::place(workbook, &missing);
                 let place = place.map_or_else(String::new, |file| format!(" in {file}"));
@@ -63,7 +76,7 @@ fn one(program: &Program, examiner: &dyn Examiner, workbook: &Path, folder: &Pat
             }
         }
     }
-    Ok(true)
+    Ok(all)
 }
 
 /// Writes the picture of the present `stage` beside the picture of the reference.

@@ -31,8 +31,9 @@ impl Picture {
         if !functions.are_there("sphere_hit") {
             let place = student::place(&workbook, "sphere_hit");
             let place = place.map_or_else(String::new, |file| format!(" in {file}"));
-            say(format!(
-                "Nothing is to be seen yet: write sphere_hit first{place}."
+            say(functions.why_silent("sphere_hit").map_or_else(
+                || format!("Nothing is to be seen yet: write sphere_hit first{place}."),
+                |why| format!("Nothing is to be seen yet: of sphere_hit{place}, {why}."),
             ));
             return Ok(false);
         }
@@ -48,8 +49,12 @@ impl Picture {
         bar.finish_and_clear();
         say(format!("Your picture: {}", Untrusted::from(path.as_path())));
         for part in &PARTS {
-            let yours = functions.are_there(part.exercise);
-            let state = if yours { "written" } else { "not yet" };
+            let silent = functions.why_silent(part.exercise);
+            let state = match (functions.are_there(part.exercise), silent) {
+                (true, _) => "written",
+                (_, Some(_)) => "failing",
+                _ => "not yet",
+            };
             say(format!("  {state}  {:<16} {}", part.exercise, part.adds));
         }
         if functions.unanswered > 0 {
@@ -66,7 +71,11 @@ impl Picture {
             |part| {
                 let place = student::place(&workbook, part.exercise);
                 let place = place.map_or_else(String::new, |file| format!(" in {file}"));
-                format!("Next: {}{place} adds {}.", part.exercise, part.adds)
+                let function = format!("{}{place}", part.exercise);
+                functions.why_silent(part.exercise).map_or_else(
+                    || format!("Next: {function} adds {}.", part.adds),
+                    |why| format!("Next: mend {function}: {why}."),
+                )
             },
         ));
         Ok(true)

@@ -1,12 +1,12 @@
 //! The starter in C++17: a file per chapter for the student, and the folder `raybook` with what these need.
 
-use super::stub::{comment, parameters};
+use super::stub::{comment, parameters, wrapped};
 use super::{StarterFile, readme};
 use crate::reader::cpp::{WORDS, class, read, reading, type_of};
-use crate::reader::{Type, safe, types_of};
+use crate::reader::{self, Type, safe, types_of};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::{Field, Kind};
+use raybook_workbook::kind::{Field, Kind, VECTOR};
 use std::fmt::Write;
 use std::path::PathBuf;
 
@@ -176,14 +176,43 @@ fn stubs(chapter: &Chapter) -> String {
         let names: Vec<_> = names.collect();
         let _ = write!(
             text,
-            "\n{}{} {{\n    todo(\"{}\", {}); // write it here\n}}\n",
+            "\n{}{}{} {{\n    todo(\"{}\", {}); // write it here\n}}\n",
             comment(asked, "// ", safe),
+            notes(asked),
             signature(asked),
             asked.name,
             names.join(", ")
         );
     }
     text + "\n}\n"
+}
+
+/// What would have to be looked up: how an answer says that there is none, and the members of the types that are given and returned.
+fn notes(asked: &Asked) -> String {
+    let mut notes = Vec::new();
+    if matches!(asked.answer.kind, Kind::Optional(_)) {
+        notes.push("Where there is none: `return std::nullopt;`.".to_owned());
+    }
+    let members = |found: &Type| match found {
+        Type::Numbers(_, parts) => parts.join(", "),
+        Type::Record(record) => {
+            let names = record.fields.iter().map(|field| safe(field.name));
+            names.collect::<Vec<_>>().join(", ")
+        }
+    };
+    let fields = parameters(asked).iter().chain([&asked.answer]);
+    let mut types = Vec::new();
+    for field in fields {
+        reader::types(field.kind, &mut types);
+    }
+    let told = |found: &Type| format!("{} {{ {} }}", found.name(), members(found));
+    let records = types.iter().filter(|found| found.name() != VECTOR.name);
+    let records: Vec<_> = records.map(told).collect();
+    if !records.is_empty() {
+        notes.push(format!("Members: {}.", records.join(", ")));
+    }
+    let lines = notes.iter().map(|note| wrapped(note, "// ", "//     "));
+    lines.collect()
 }
 
 /// The function up to its body.

@@ -49,7 +49,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
     },
     Alternative {
         exercise: "bvh_closest",
-        method: "with a stack, each box tested when its turn comes, triangles by volumes, in f64",
+        method: "with a stack, each box tested when its turn comes, the root's too, triangles by volumes, in f64",
         answer: |q| closest(q, volumes, true),
     },
 ];
@@ -95,7 +95,7 @@ fn closest(q: &mut Question, hit: HitTriangle, late: bool) -> Answer {
         if enters >= ray.max {
             continue;
         }
-        if late && at > 0 {
+        if late {
             boxes += 1;
             if nodes[at].bounds.clip(&ray).is_none() {
                 continue;

@@ -1,8 +1,13 @@
-// Vectors, colours, intervals and rays: what all chapters work with.
+// Vectors, colours, intervals and rays: what all chapters work with, and what they most need of the standard library.
 
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <iostream>
+#include <limits>
+#include <math.h> // with <cmath> alone, `abs(0.5)` without `std::` may be that of whole numbers: 0
+#include <stdexcept>
 #include <string>
 
 // A point or a vector of the plane.
@@ -24,8 +29,10 @@ struct Vec3 {
     double z = 0;
 
     // x, y or z by the number of the axis: 0, 1 or 2.
-    double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : z; }
-    double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : z; }
+    double operator[](int axis) const { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : throw no_axis(); }
+    double& operator[](int axis) { return axis == 0 ? x : axis == 1 ? y : axis == 2 ? z : throw no_axis(); }
+
+    static std::out_of_range no_axis() { return std::out_of_range("index out of range: the axes of a Vec3 are 0, 1 and 2"); }
 };
 
 inline Vec3 operator+(const Vec3& a, const Vec3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }

@@ -2,12 +2,15 @@
 //! that grows, does not. Two answers may differ, as long as both are right: any generator of random numbers will do.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Report, State, Verdict, judge};
+use crate::check::{Outcome, Report, State, Verdict, judge};
 use crate::examine::Examiner;
 use std::io;
 
 /// How many cases are asked again: the first, the last, and those at equal steps between them.
 const AGAIN: usize = 4;
+
+/// What is asked of who answers a question in two ways.
+const KEEPS: &str = "Does your function keep something from one question to the next?";
 
 /// Asks some cases of a report once more, if all of them are right, and marks those as wrong that are now.
 ///
@@ -35,10 +38,40 @@ pub fn ask_again(
         }
         if let Verdict::Wrong(why) = judge(examiner, &outcome.case, &reply.said) {
             outcome.verdict = Verdict::Wrong(format!(
-                "right at first, but when the same is asked again: {why}. Does your function keep something from one question to the next?"
+                "right at first, but when the same is asked again: {why}. {KEEPS}"
             ));
             outcome.reply = reply;
         }
     }
     Ok(())
+}
+
+/// Asks a wrong case alone, in a process of its own, and adds to its verdict if it is right there. Whoever throws dice has another answer
+/// in each process, and may just be lucky.
+///
+/// # Errors
+/// If the program cannot be started.
+pub fn ask_alone(
+    asker: &mut Asker<'_>,
+    examiner: &dyn Examiner,
+    outcome: &mut Outcome,
+) -> io::Result<bool> {
+    let (Verdict::Wrong(why), Said::Answer(_)) = (&outcome.verdict, &outcome.reply.said) else {
+        return Ok(false);
+    };
+    let question = [format!("{} {}", examiner.name(), outcome.case.question)];
+    let mut replies = Vec::new();
+    asker.ask_apart(&question, &mut replies)?;
+    let is_right = |said: &Said| judge(examiner, &outcome.case, said) == Verdict::Right;
+    if !replies.iter().any(|reply| is_right(&reply.said)) {
+        return Ok(false);
+    }
+    asker.ask_apart(&question, &mut replies)?;
+    let is_same = replies.windows(2).all(|both| both[0].said == both[1].said);
+    if is_same {
+        outcome.verdict = Verdict::Wrong(format!(
+            "{why}. In a program that is asked nothing else, this case is right. {KEEPS}"
+        ));
+    }
+    Ok(is_same)
 }

@@ -124,13 +124,22 @@ impl Report {
 
     /// The wrong case that is told in full: the first that the mistake explains, or else the first.
     pub fn shown_wrong(&self) -> Option<(&Outcome, &str)> {
-        let shown = self.diagnosis.as_ref().and_then(|found| found.shown);
-        let outcome = shown.and_then(|place| self.cases.get(place));
-        let explained = outcome.and_then(|outcome| match &outcome.verdict {
-            Verdict::Wrong(why) => Some((outcome, why.as_str())),
+        let outcome = &self.cases[self.place_shown()?];
+        match &outcome.verdict {
+            Verdict::Wrong(why) => Some((outcome, why)),
             _ => None,
-        });
-        explained.or_else(|| self.first_wrong())
+        }
+    }
+
+    /// The place of that case among all.
+    pub fn place_shown(&self) -> Option<usize> {
+        let is_wrong = |place: &usize| {
+            let outcome = self.cases.get(*place);
+            outcome.is_some_and(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+        };
+        let explained = self.diagnosis.as_ref().and_then(|found| found.shown);
+        let first = || (0..self.cases.len()).find(is_wrong);
+        explained.filter(is_wrong).or_else(first)
     }
 
     /// The number of the exercise's own mistake that is told of some of the wrong answers, and not of all of them.

@@ -202,7 +202,10 @@ fn misses(tree: &Tree, node: &Node) -> bool {
         Aabb::of([p0, p1, p2])
     };
     let parts: Vec<_> = match node {
-        Node::Branch(branch) => (tree.children)(*branch).into_iter().map(|child| child.0).collect(),
+        Node::Branch(branch) => (tree.children)(*branch)
+            .into_iter()
+            .map(|child| child.0)
+            .collect(),
         Node::Leaf(ids) => ids.iter().map(corners).collect(),
     };
     let around = parts.iter().fold(Aabb::EMPTY, |all, part| all.union(part));

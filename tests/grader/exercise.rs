@@ -117,6 +117,15 @@ fn limits_are_those_of_the_cases_and_the_judge() {
     }
 }
 
+#[test]
+fn a_length_is_told_in_digits_however_small() {
+    let found = cases::find("triangle_normal").expect("an exercise");
+    let question = "0 0 0  0.001 0 0  0 0.001 0";
+    let verdict = found.judge(question, &["0 0 1".to_owned()], "0 0 0.000001");
+    let why = verdict.expect_err("it is not of length 1");
+    assert!(why.contains("has length 1.0e-6;"), "{why}");
+}
+
 /// A tolerance that is known: `judge::number` takes what is within one part in 2000.
 #[test]
 fn the_leeway_is_the_judges() {

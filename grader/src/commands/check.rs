@@ -11,6 +11,7 @@ use super::{Done, Target};
 use indicatif::ProgressBar;
 use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_grader::again::ask_alone;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{Outcome, Report, State, check_all};
 use raybook_grader::converse::{Limits, Program};
@@ -50,7 +51,8 @@ const IN_THE_SANDBOX: &str = "
 It ran in a sandbox: it reads its own folder and the system's files, writes nothing, and starts no process (in a shell script,
 `exec` your program). --trust runs it with all your rights.";
 
-/// Finds the smallest wrong question of the exercise that is told in full: the first that is wrong.
+/// Finds the smallest wrong question of the exercise that is told in full: the first that is wrong. There is none if the case that is
+/// shown is right where nothing was asked before it.
 fn find_smallest(
     program: &Program,
     limits: Limits,
@@ -60,6 +62,11 @@ fn find_smallest(
     let is_wrong = |(_, report): &(_, &mut Report)| report.state() == State::Wrong;
     if let Some(((examiner, _), report)) = exercises.iter().zip(reports).find(is_wrong) {
         let mut asker = Asker::new(program, limits);
+        if let Some(place) = report.place_shown()
+            && ask_alone(&mut asker, *examiner, &mut report.cases[place])?
+        {
+            return Ok(());
+        }
         let mut ask = |questions: &[String]| asker.ask(questions);
         if let Some((outcome, _)) = report.shown_wrong() {
             let mistake = report.mistake_of_some(*examiner);

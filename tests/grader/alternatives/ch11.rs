@@ -96,7 +96,8 @@ fn closest(q: &mut Question, hit: HitTriangle, late: bool) -> Answer {
             continue;
         }
         if late {
-            boxes += 1;
+            // Two are counted for each branch that is opened, so the root's is not.
+            boxes += usize::from(at > 0);
             if nodes[at].bounds.clip(&ray).is_none() {
                 continue;
             }

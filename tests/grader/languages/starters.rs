@@ -122,6 +122,30 @@ fn a_loop_that_never_ends_is_found_in_a_folder_in_python() {
 }
 
 #[test]
+fn who_keeps_something_between_questions_is_told() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let told = "In a program that is asked nothing else, this case is right. Does your function keep something";
+    for (name, body, keeps) in [
+        (
+            "growing",
+            "    kept.append(1)\n    t += len(kept) - 1",
+            true,
+        ),
+        ("wrong", "    t = abs(t)", false),
+    ] {
+        let folder = new(home.path(), name, Language::Python);
+        let body = format!("{body}\n    return ray.origin + t * ray.direction\n\n\nkept = []");
+        write_ray_at(&folder, &body);
+        let words = ["check", "ray_at", "--plain"];
+        let (code, said) = raybook_with(&folder, &words, &[WITHOUT_RUST]);
+        assert!(code == 1 && said.contains(told) == keeps, "{name}: {said}");
+    }
+}
+
+#[test]
 fn a_list_is_a_vector_in_python_where_a_vector_is_asked_for() {
     if !there_is("/usr/bin/python3") {
         return;
@@ -179,12 +203,72 @@ fn a_new_folder_in_cpp_is_all_to_do_and_compiles_without_a_warning() {
         "a forgotten `return` does not end in the next function: {said}"
     );
 
+    let common = "std::clamp(5.0, 0.0, 1.0) * std::max({0.5, 2 * abs(-0.5)})";
+    let right = format!("return ray.origin + t * {common} * ray.direction;");
+    fs::write(&file, text.replace(stub, &right)).expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[WITHOUT_RUST]);
+    assert_eq!(
+        code, 0,
+        "common functions are there, and abs is that of numbers: {said}"
+    );
+
     fs::write(file, "int broken(\n").expect("it can be written");
     let (code, said) = raybook_with(&folder, &["check"], &[WITHOUT_RUST]);
     assert!(
         code == 2 && said.contains("ch01_rays.cpp:1:") && said.contains("does not compile"),
         "the compiler is heard: {said}"
     );
+}
+
+/// Memory beyond the end of a list is often 0, which would be taken for another mistake.
+#[test]
+fn an_index_beyond_the_end_stops_the_program_in_cpp() {
+    if !there_is("make") || !there_is("g++") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Cpp);
+    let file = folder.join("ch05_box.cpp");
+    let text = fs::read_to_string(&file).expect("it can be read");
+    let stub = "todo(\"bounds_of\", points);";
+    assert!(text.contains(stub), "{text}");
+    for (point, told) in [
+        (
+            "points[points.size()]",
+            &["signal 6 (abort", "Assertion '__n < this->size()' failed."][..],
+        ),
+        (
+            "Vec3{points.at(0)[3], 0, 0}",
+            &[
+                "the axes of a Vec3 are 0, 1 and 2",
+                "takes something from a list that is not in it",
+            ],
+        ),
+    ] {
+        let body = format!("return {{{point}, {point}}};");
+        fs::write(&file, text.replace(stub, &body)).expect("it can be written");
+        let words = ["check", "bounds_of", "--plain"];
+        let (code, said) = raybook_with(&folder, &words, &[WITHOUT_RUST]);
+        assert!(
+            code == 1 && told.iter().all(|told| said.contains(told)),
+            "{point}: {said}"
+        );
+    }
+}
+
+#[test]
+fn a_stub_in_cpp_tells_what_would_be_looked_up() {
+    let files = cpp::files();
+    let chapter = files
+        .iter()
+        .find(|(path, _)| path == Path::new("ch06_triangle.cpp"));
+    let text = text(chapter.expect("a chapter"));
+    for line in [
+        "// Where there is none: `return std::nullopt;`.\n",
+        "// Members: Ray { origin, direction }, Interval { min, max }, TriangleHitAnswer { t, b1, b2 }.\n",
+    ] {
+        assert!(text.contains(line), "{line}{text}");
+    }
 }
 
 #[test]
@@ -235,6 +319,43 @@ fn a_chapter_is_drawn_by_asking_the_program() {
     assert!(
         code == 2 && said.contains("sizes of their own"),
         "{code} {said}"
+    );
+}
+
+#[test]
+fn a_picture_tells_of_pixels_without_an_answer() {
+    if !there_is("/usr/bin/python3") {
+        return;
+    }
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Python);
+    let said = |program: &str, words: &[&str]| {
+        fs::write(folder.join("answer.py"), program).expect("it can be written");
+        raybook_with(&folder, words, &[WITHOUT_RUST])
+    };
+    let dead = "import sys\nsys.exit(3)\n";
+    let why = "your program ended without an answer: exit code 3.";
+    let (code, drawn) = said(dead, &["draw", "ch04"]);
+    assert!(
+        code == 1 && drawn.contains(&format!("plane_hit is not drawn: {why}")),
+        "{code} {drawn}"
+    );
+    assert!(!folder.join("out/ch04_plane").exists(), "nothing is kept");
+    let (code, picture) = said(dead, &["picture"]);
+    assert!(
+        code == 1 && picture.contains(&format!("of sphere_hit in ch03_sphere.py, {why}")),
+        "{code} {picture}"
+    );
+
+    let odd = "import sys
+for i, _ in enumerate(sys.stdin):
+    print('= panic odd' if i % 2 else '= none', flush=True)
+";
+    let (code, drawn) = said(odd, &["draw", "ch04"]);
+    let told = "2592 pixels are magenta, since they have no answer; the first: your function stopped with an error: odd";
+    assert!(
+        code == 1 && drawn.contains("plane_hit.png") && drawn.contains(told),
+        "{code} {drawn}"
     );
 }
 

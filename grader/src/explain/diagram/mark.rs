@@ -114,15 +114,25 @@ fn point(p: DVec2, ink: Ink) -> Markup {
     html! { circle cx=(round(p.x)) cy=(round(p.y)) r=(radius) fill=(ink.colour()) stroke="#ffffff" stroke-width="1.5" {} }
 }
 
-/// A line of the key.
-pub fn entry(ink: Ink, at: DVec2) -> Markup {
+/// A line of the key: what stands for an ink, in the form of this mark.
+pub fn entry(mark: &Mark, at: DVec2) -> Markup {
+    let ink = mark.ink();
     let (y, end) = (at.y - 5.0, at.x + 30.0);
+    let (from, to) = (dvec2(at.x, y), dvec2(end, y));
+    let form = match mark {
+        Mark::Arrow { .. } => Mark::Arrow { from, to, ink },
+        Mark::Line { .. } | Mark::Circle { .. } => Mark::Line {
+            points: vec![from, to],
+            ink,
+            closed: false,
+        },
+        Mark::Point { .. } | Mark::Label { .. } => Mark::Point {
+            at: 0.5 * (from + to),
+            ink,
+        },
+    };
     html! {
-        @match ink {
-            Ink::Interval => line x1=(at.x) y1=(y) x2=(end) y2=(y) stroke=(ink.colour()) stroke-opacity="0.45" stroke-width=(ink.width()) {},
-            Ink::Ray => (arrow(dvec2(at.x, y), dvec2(end, y), ink)),
-            _ => (point(dvec2(at.x + 15.0, y), ink)),
-        }
+        (drawn(&form, &|p| p, 1.0))
         text x=(end + 10.0) y=(at.y) fill="#282828" { (ink.meaning()) }
     }
 }

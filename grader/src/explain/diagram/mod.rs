@@ -132,8 +132,8 @@ impl Diagram {
                 rect width="100%" height="100%" fill="#ffffff" {}
                 @for mark in &self.marks { (drawn(mark, &at, scale.x)) }
                 @for lettering in letterings(&self.marks, &at, height) { (lettering.drawn()) }
-                @for (i, ink) in key.iter().enumerate() {
-                    (entry(*ink, dvec2(24.0 + 0.5 * WIDTH * (i % 2) as f64, height + LINE * (0.4 + (i / 2) as f64))))
+                @for (i, mark) in key.iter().enumerate() {
+                    (entry(mark, dvec2(24.0 + 0.5 * WIDTH * (i % 2) as f64, height + LINE * (0.4 + (i / 2) as f64))))
                 }
                 @for (i, line) in title.iter().enumerate() {
                     text x="24" y=(round(whole - 12.0 - 20.0 * (title.len() - 1 - i) as f64)) fill="#444444" { (line) }
@@ -151,13 +151,17 @@ impl Diagram {
         [least.unwrap_or(DVec2::ZERO), most.unwrap_or(DVec2::ONE)]
     }
 
-    /// The inks that the key explains.
-    fn key(&self) -> Vec<Ink> {
-        let mut inks: Vec<_> = self.marks.iter().map(Mark::ink).collect();
-        inks.sort_unstable();
-        inks.dedup();
-        inks.retain(|ink| self.keyed && !ink.meaning().is_empty());
-        inks
+    /// For each ink that the key explains a mark: what has a label needs no key, and so a point of the ray does not.
+    fn key(&self) -> Vec<&Mark> {
+        let is_labelled = |mark: &Mark| {
+            matches!(mark, Mark::Label { .. }) || matches!(mark, Mark::Point { ink: Ink::Ray, .. })
+        };
+        let has_meaning = |mark: &&Mark| !mark.ink().meaning().is_empty() && !is_labelled(mark);
+        let marks = self.marks.iter().filter(|_| self.keyed);
+        let mut marks: Vec<_> = marks.filter(has_meaning).collect();
+        marks.sort_by_key(|mark| mark.ink());
+        marks.dedup_by_key(|mark| mark.ink());
+        marks
     }
 }
 

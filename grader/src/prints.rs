@@ -85,19 +85,24 @@ fn elements(words: &[&str]) -> Option<(usize, usize)> {
     (rest >= count && rest.is_multiple_of(count)).then_some((count, rest / count))
 }
 
-/// The first lines of an output, under a heading; none if nothing was printed there.
+/// The first and the last lines of an output, under a heading; none if nothing was printed there. What went wrong stands in the last
+/// lines where Python tells it, and in the first where others do.
 fn told(heading: &str, output: &Untrusted) -> Vec<String> {
     /// More lines nobody reads here.
-    const MOST: usize = 12;
+    const FIRST: usize = 8;
+    const LAST: usize = 4;
     let count = full(output).count();
     if count == 0 {
         return Vec::new();
     }
+    let line = |line: Untrusted| format!("    | {}", ends(&line.to_string()));
     let mut lines = vec![format!("  {heading}:")];
-    let lines_shown = full(output).take(MOST);
-    lines.extend(lines_shown.map(|line| format!("    | {}", ends(&line.to_string()))));
-    if count > MOST {
-        lines.push(format!("    | … and {} more lines", count - MOST));
+    if count > FIRST + LAST + 1 {
+        lines.extend(full(output).take(FIRST).map(line));
+        lines.push(format!("    | … {} lines …", count - FIRST - LAST));
+        lines.extend(full(output).skip(count - LAST).map(line));
+    } else {
+        lines.extend(full(output).map(line));
     }
     lines
 }

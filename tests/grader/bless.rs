@@ -111,10 +111,7 @@ fn what_is_wrong_is_said_with_its_line_and_column() {
         ),
         (
             "cut off | 0 0 -3  0 0 1 = 2",
-            &[
-                "line 5, column 24",
-                "the line ends before word 7, `within.min`",
-            ],
+            &["line 5, column 24", "word 7, `within.min`, is missing"],
         ),
         (
             "the answer | 0 0 -3  0 0 1  0 inf  0 0 0  1 = two",

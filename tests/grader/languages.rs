@@ -5,6 +5,7 @@
 mod any;
 mod keys;
 mod picture;
+mod python;
 mod solutions;
 mod starters;
 mod watched;

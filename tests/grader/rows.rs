@@ -69,7 +69,7 @@ fn errors_say_the_word() {
     };
     assert_eq!(
         error("0 0 -3 0 0 1 0 inf 0 0 0"),
-        "the line ends before word 12, `radius`"
+        "word 12, `radius`, is missing"
     );
     assert_eq!(
         error("0 0 -3 0 0 1 0 inf 0 0 zero 1"),
@@ -86,7 +86,7 @@ fn errors_say_the_word() {
     let huge = read::<Vec<Vec3>>("4000000000 1 2 3", "points").expect_err("it is too short");
     assert_eq!(
         huge.to_string(),
-        "the line ends before word 5, `points[1].x`",
+        "word 5, `points[1].x`, is missing",
         "no memory is asked for in advance"
     );
 }

@@ -13,7 +13,7 @@ pub(crate) struct Words<'a> {
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub enum RowError {
     /// The line ends too early.
-    #[error("the line ends before word {word}, `{name}`")]
+    #[error("word {word}, `{name}`, is missing")]
     TooShort {
         /// Which word is missing, from 1.
         word: usize,

@@ -22,9 +22,9 @@ pub fn run(workbook: &Path, chapter: &Chapter) -> Done {
     let pictured = names.filter_map(cases::find);
     let pictured: Vec<_> = pictured.filter(|e| !e.pictures().is_empty()).collect();
     if pictured.is_empty() {
+        let explained = chapter.exercises().last().map_or("", |last| last.name);
         say(format!(
-            "No function of chapter {} is asked per pixel, so there is no picture of their answers; `raybook check ch{:02}` asks them.",
-            chapter.number(),
+            "No function of chapter {} is asked per pixel, so there is no picture of their answers; `raybook explain {explained}` goes through one, step by step.",
             chapter.number()
         ));
         return Ok(true);

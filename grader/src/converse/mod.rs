@@ -60,6 +60,9 @@ impl End {
 /// A program that gives a second answer to a question mostly does so within this time.
 pub(crate) const BREATH: Duration = Duration::from_millis(1);
 
+/// Processor time in which a program tells where it is.
+const WHERE: Duration = Duration::from_secs(1);
+
 /// What a program has written to standard error arrives within this time from the end of its standard output.
 const LAST_WORDS: Duration = Duration::from_millis(50);
 
@@ -214,16 +217,19 @@ impl Process {
         }
     }
 
-    /// Asks a program that takes too long where it is, and listens for as long as last words take. The answer programs in Python
-    /// tell it on standard error; others just end.
+    /// Asks a program that takes too long where it is, and listens until it has ended, or has had the time for that: on a busy machine
+    /// it has to wait for the processor. The answer programs in Python tell it on standard error; others just end.
     fn hear_where(&mut self, printed: &mut Printed) {
         if let Some(held) = &self.held {
             held.interrupt();
         }
-        let deadline = now() + LAST_WORDS;
-        while let Ok(event) = self.next_until(deadline) {
-            if let Event::Error(text) = event {
-                printed.complain(&text);
+        self.clock.restart();
+        loop {
+            match self.next_until(self.clock.next_look(WHERE)) {
+                Ok(Event::Error(text)) => printed.complain(&text),
+                Ok(_) => {}
+                Err(RecvTimeoutError::Timeout) if !self.clock.is_over(WHERE, Duration::ZERO) => {}
+                Err(_) => break,
             }
         }
     }

@@ -54,28 +54,41 @@ class Words:
             raise ValueError(f"`{self.rest[0]}` is one word too many")
 
 
-def words_of(value: Any) -> str:
-    """A value as the words of an answer."""
+def words_of(value: Any, declared: str, types: Mapping[str, Any]) -> str:
+    """A value as the words of an answer. Where a list is declared, they begin with its length; all else is a row of numbers."""
     if hasattr(value, "tolist"):  # numpy's numbers and arrays
         value = value.tolist()
     if value is None:
         return "none"
     if isinstance(value, bool):
         return str(int(value))
-    if isinstance(value, list):  # begins with its length
-        return " ".join([str(len(value)), *map(words_of, value)])
-    if hasattr(value, "__dataclass_fields__"):
-        return " ".join(words_of(getattr(value, name)) for name in value.__dataclass_fields__)
-    if isinstance(value, tuple):
-        return " ".join(map(words_of, value))
-    return str(value)
+    if isinstance(value, (int, float, str)):
+        return str(value)
+    if isinstance(value, complex):
+        raise ValueError(f"math domain error: {value} is complex, as the root of a negative number is")
+    declared = declared.replace(" | None", "")
+    record = value if hasattr(value, "__dataclass_fields__") else types.get(declared)
+    is_list = declared.startswith("list[") and record is not value
+    kinds = [str(field.type) for field in getattr(record, "__dataclass_fields__", {}).values()]
+    if record is value:
+        values = [getattr(value, name) for name in value.__dataclass_fields__]
+    elif isinstance(value, Iterable) and not isinstance(value, dict if is_list else (dict, set)):
+        values = list(value)
+    else:
+        raise TypeError(f"an answer has no {type(value).__name__} in it, such as {value!r:.60}")
+    if is_list:
+        kinds = [declared[len("list[") : -1]] * len(values)
+    elif len(kinds) != len(values):  # other parts than the record's: what is a list stays one
+        kinds = ["list[]" if isinstance(one, list) else "" for one in values]
+    words = [words_of(one, kind, types) for one, kind in zip(values, kinds)]
+    return " ".join([str(len(values)), *words] if is_list else words)
 "#;
 
 /// The program that answers an exercise.
 pub fn program(asked: &Asked) -> String {
     let name = asked.name;
     let mut text = format!(
-        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport math\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any, Callable, Dict, List, Optional, TypeVar, Union\n\n{WORDS}",
+        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport math\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, TypeVar, Union\n\n{WORDS}",
         task = asked.task,
     );
     for found in types_of(asked) {
@@ -104,7 +117,7 @@ def main():
             continue
         question = {read}
         try:
-            print("=", words_of({name}(question)), file=answers, flush=True)
+            print("=", words_of({name}(question), "{answer}", globals()), file=answers, flush=True)
         except NotImplementedError:
             print("= todo {name}", file=answers, flush=True)
 

@@ -23,7 +23,7 @@ const IMPORTS: &str = "\"\"\"The words of questions and answers. raybook wrote t
 from __future__ import annotations
 
 import math
-from typing import Any, Callable, Dict, List, Optional, TypeVar
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, TypeVar
 ";
 
 /// All files.
@@ -146,6 +146,11 @@ fn types(chapter: &Chapter) -> String {
             let _ = writeln!(text, "        {},", read(field.kind, "words"));
         }
         text.push_str("    ),\n");
+    }
+    text.push_str("}\n\n# What each function returns.\nANSWERS: Dict[str, str] = {\n");
+    for asked in chapter.exercises() {
+        let answer = type_of(asked.answer.kind);
+        let _ = writeln!(text, "    \"{}\": \"{answer}\",", asked.name);
     }
     text + "}\n"
 }

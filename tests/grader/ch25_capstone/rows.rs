@@ -56,7 +56,7 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
         (
             "glass 1.5",
             "glass",
-            "the line ends before word 54, `index`",
+            "word 54, `index`, is missing",
         ),
         ("glass 1.5", "glass 1.5 2", "word 55, `2`, is one too many"),
         ("plane 0 1 0", "plane 0 0 0", "a direction"),

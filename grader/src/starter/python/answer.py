@@ -9,11 +9,17 @@ import os
 import signal
 import sys
 import traceback
-from typing import Any, Callable, Iterator, List, Tuple
+from typing import Any, Callable, Iterable, Iterator, List, Tuple
 
 from raybook import batch
 from raybook.exercises import CHAPTERS
 from raybook.words import Words, words_of
+
+# This file, and the folder of yours.
+FILE = os.path.abspath(__file__)
+FOLDER = os.path.dirname(FILE)
+# The maximum number of places of a program that are looked at, the innermost ones.
+MOST = 50
 
 
 def name_of(line: str) -> str:
@@ -21,13 +27,24 @@ def name_of(line: str) -> str:
     return line.strip().partition(" ")[0]
 
 
+def types_of(name: str) -> Any:
+    """The module that says what a function is given and returns."""
+    return importlib.import_module(CHAPTERS[name][1])
+
+
 def arguments_of(line: str) -> Tuple[Any, ...]:
     """What the function is given."""
     name, _, rest = line.strip().partition(" ")
     words = Words(rest)
-    arguments: Tuple[Any, ...] = importlib.import_module(CHAPTERS[name][1]).ARGUMENTS[name](words)
+    arguments: Tuple[Any, ...] = types_of(name).ARGUMENTS[name](words)
     words.end()
     return arguments
+
+
+def told(name: str, value: Any) -> str:
+    """What a function returns, in words."""
+    types = types_of(name)
+    return words_of(value, types.ANSWERS[name], vars(types))
 
 
 def guarded(name: str, function: Callable[[], List[str]]) -> List[str]:
@@ -43,18 +60,22 @@ def guarded(name: str, function: Callable[[], List[str]]) -> List[str]:
 
 def complain(error: Exception) -> None:
     """Prints where in your own files an error is, and what it is."""
-    told = places(traceback.extract_tb(error.__traceback__)) + traceback.format_exception_only(type(error), error)
-    print("".join(told), end="", file=sys.stderr)
+    frames = own(traceback.extract_tb(error.__traceback__, limit=-MOST))
+    if isinstance(error, RecursionError):  # the places to which it comes again and again, once each
+        again = [frame for i, frame in enumerate(frames) if frame in frames[:i]]
+        frames = [frame for i, frame in enumerate(again) if frame not in again[:i]]
+    report = traceback.format_list(frames) + traceback.format_exception_only(type(error), error)
+    print("".join(report), end="", file=sys.stderr)
 
 
-def places(frames: traceback.StackSummary) -> List[str]:
-    """Where in your own files a program is."""
-    return traceback.format_list([frame for frame in frames if frame.filename != __file__ and "importlib" not in frame.filename])
+def own(frames: Iterable[traceback.FrameSummary]) -> List[traceback.FrameSummary]:
+    """Those in your own files, which lie beside this one."""
+    return [frame for frame in frames if os.path.dirname(frame.filename) == FOLDER and frame.filename != FILE]
 
 
 def say_where(_signal: int, frame: Any) -> None:
     """Prints where in your own files the program is, and ends it: raybook asks this when an answer takes too long."""
-    here = places(traceback.extract_stack(frame))[-4:]
+    here = traceback.format_list(own(traceback.extract_stack(frame))[-4:])
     print("".join(["It is here, the innermost last:\n", *here]), end="", file=sys.stderr, flush=True)
     os._exit(1)
 
@@ -62,13 +83,7 @@ def say_where(_signal: int, frame: Any) -> None:
 def called(name: str, arguments: Tuple[Any, ...]) -> str:
     """What a function returns, in words. A chapter is loaded when it is asked for: an error in one leaves the others be."""
     function = getattr(importlib.import_module(CHAPTERS[name][0]), name)
-    value = function(*arguments)
-    if hasattr(value, "tolist"):  # an array of numpy
-        value = value.tolist()
-    declared = str(function.__annotations__.get("return", "list"))
-    if isinstance(value, list) and "list" not in declared.lower():
-        value = tuple(value)  # [x, y, z] is a vector, where a vector is asked for
-    return words_of(value)
+    return told(name, function(*arguments))
 
 
 def answer(line: str) -> str:
@@ -92,7 +107,7 @@ def answers(name: str, lines: List[str]) -> Iterator[str]:
         function, questions = None, []  # Each question says by itself what is wrong.
     if function is None:
         return map(answer, lines)
-    said = guarded(name, lambda: batch.answers(function, questions))
+    said = guarded(name, lambda: batch.answers(function, questions, lambda value: told(name, value)))
     return iter(said if len(said) == len(lines) else said * len(lines))
 
 

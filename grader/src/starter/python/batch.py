@@ -14,22 +14,24 @@ It returns an array with an entry, or a row of numbers, for each question, and N
 from __future__ import annotations
 
 import importlib
-from typing import Any, List, Sequence, Tuple
+from typing import Any, Callable, List, Sequence, Tuple
 
 from .vec import Rgb, Vec2, Vec3
-from .words import words_of
 
 
-def answers(function: Any, questions: Sequence[Tuple[Any, ...]]) -> List[str]:
-    """The answers to a batch of questions, each as words."""
+def answers(function: Any, questions: Sequence[Tuple[Any, ...]], words_of: Callable[[Any], str]) -> List[str]:
+    """The answers to a batch of questions, each as words. A single one is asked twice at once: arrays of one hide mistakes."""
     numpy = importlib.import_module("numpy")
-    arguments = [stacked(numpy, values) for values in zip(*questions)]
+    asked = [*questions, *questions] if len(questions) == 1 else questions
+    arguments = [stacked(numpy, values) for values in zip(*asked)]
     answers = function(*arguments)
-    if len(answers) != len(questions):
-        raise ValueError(f"{len(answers)} answers to {len(questions)} questions")
+    if not hasattr(answers, "__len__"):
+        raise TypeError(f"{function.__name__} returns {answers!r:.60}: return an array or a list, with an entry for each question")
+    if len(answers) != len(asked):
+        raise ValueError(f"{len(answers)} answers to {len(asked)} questions")
     if isinstance(answers, numpy.ndarray):
-        return [row(numpy.ravel(answer)) for answer in answers]
-    return [words_of(answer) for answer in answers]
+        answers = [row(numpy.ravel(answer)) for answer in answers]
+    return [words_of(answer) for answer in answers][: len(questions)]
 
 
 def stacked(numpy: Any, values: Sequence[Any]) -> Any:

@@ -1,4 +1,9 @@
-"""Vectors, colours, intervals and rays: what all chapters work with."""
+"""Vectors, colours, intervals and rays: what all chapters work with.
+
+Where two things do not go together, such as a vector and a number in a sum, an operator returns NotImplemented, and Python says which
+two. To numpy a vector or a colour is a row of numbers: `numpy.array(v)`. A number of numpy times a vector stays a vector, by
+`__array_priority__`.
+"""
 
 from __future__ import annotations
 
@@ -16,19 +21,34 @@ class Vec2:
     x: float
     y: float
 
+    __array_priority__ = -1
+
     def __add__(self, other: Vec2) -> Vec2:
+        if not isinstance(other, Vec2):
+            return NotImplemented
         return Vec2(self.x + other.x, self.y + other.y)
 
     def __sub__(self, other: Vec2) -> Vec2:
+        if not isinstance(other, Vec2):
+            return NotImplemented
         return Vec2(self.x - other.x, self.y - other.y)
 
     def __mul__(self, k: float) -> Vec2:
+        if hasattr(k, "__len__"):
+            return NotImplemented
         return Vec2(self.x * k, self.y * k)
 
     __rmul__ = __mul__
 
     def __truediv__(self, k: float) -> Vec2:
         return Vec2(self.x / k, self.y / k)
+
+    def __len__(self) -> int:
+        return 2
+
+    def __getitem__(self, axis: int) -> float:
+        """x or y by the number of the axis: 0 or 1."""
+        return (self.x, self.y)[axis]
 
     def __iter__(self) -> Iterator[float]:
         return iter((self.x, self.y))
@@ -46,16 +66,24 @@ class Vec3:
     y: float
     z: float
 
+    __array_priority__ = -1
+
     def __add__(self, other: Vec3) -> Vec3:
+        if not isinstance(other, Vec3):
+            return NotImplemented
         return Vec3(self.x + other.x, self.y + other.y, self.z + other.z)
 
     def __sub__(self, other: Vec3) -> Vec3:
+        if not isinstance(other, Vec3):
+            return NotImplemented
         return Vec3(self.x - other.x, self.y - other.y, self.z - other.z)
 
     def __neg__(self) -> Vec3:
         return Vec3(-self.x, -self.y, -self.z)
 
     def __mul__(self, k: float) -> Vec3:
+        if hasattr(k, "__len__"):
+            return NotImplemented  # write a.dot(b) or a.cross(b)
         return Vec3(self.x * k, self.y * k, self.z * k)
 
     __rmul__ = __mul__
@@ -66,6 +94,9 @@ class Vec3:
     def __getitem__(self, axis: int) -> float:
         """x, y or z by the number of the axis: 0, 1 or 2."""
         return (self.x, self.y, self.z)[axis]
+
+    def __len__(self) -> int:
+        return 3
 
     def __iter__(self) -> Iterator[float]:
         return iter((self.x, self.y, self.z))
@@ -100,10 +131,16 @@ class Rgb:
     g: float
     b: float
 
+    __array_priority__ = -1
+
     def __add__(self, other: Rgb) -> Rgb:
+        if not isinstance(other, Rgb):
+            return NotImplemented
         return Rgb(self.r + other.r, self.g + other.g, self.b + other.b)
 
     def __sub__(self, other: Rgb) -> Rgb:
+        if not isinstance(other, Rgb):
+            return NotImplemented
         return Rgb(self.r - other.r, self.g - other.g, self.b - other.b)
 
     def __mul__(self, other: Rgb | float) -> Rgb:
@@ -116,6 +153,13 @@ class Rgb:
 
     def __truediv__(self, k: float) -> Rgb:
         return Rgb(self.r / k, self.g / k, self.b / k)
+
+    def __len__(self) -> int:
+        return 3
+
+    def __getitem__(self, axis: int) -> float:
+        """Red, green or blue by its number: 0, 1 or 2."""
+        return (self.r, self.g, self.b)[axis]
 
     def __iter__(self) -> Iterator[float]:
         return iter((self.r, self.g, self.b))

@@ -9,6 +9,7 @@ mod nearest;
 mod normals;
 mod onward;
 mod scene;
+mod teapot;
 mod trace;
 
 pub use functions::Functions;
@@ -29,7 +30,7 @@ pub struct Part {
 }
 
 /// What the picture is made of, in the order of the course.
-pub const PARTS: [Part; 12] = [
+pub const PARTS: [Part; 15] = [
     part("camera_ray", "your own camera"),
     part("sphere_hit", "balls"),
     part("sphere_normal", "the directions of the balls' surfaces"),
@@ -37,6 +38,9 @@ pub const PARTS: [Part; 12] = [
     part("box_clip", "a box"),
     part("triangle_hit", "a pyramid"),
     part("triangle_normal", "the directions of the pyramid's faces"),
+    part("mesh_hit", "a teapot"),
+    part("interpolate_normal", "the teapot's smooth surface"),
+    part("vertex_normals", "the directions at the teapot's vertices"),
     part("phong", "light and highlights"),
     part("point_light", "your own lamp"),
     part("reflect", "a mirror"),

@@ -1,6 +1,6 @@
 //! What each ray hits first, by asking about every thing in turn.
 
-use super::scene::Shape;
+use super::scene::{Shape, Thing};
 use super::trace::Tracer;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook_workbook::exercises::{
@@ -11,23 +11,39 @@ use std::io;
 /// A ray, and the distances on it that count.
 pub type Reach = (Ray, Interval);
 
+/// What a ray hits first.
+#[derive(Clone, Copy)]
+pub(super) struct Nearest {
+    /// The distance along the ray, in metres.
+    pub(super) t: f32,
+    /// Which thing.
+    pub(super) thing: usize,
+    /// Which of its triangles, if it is a mesh.
+    pub(super) part: u32,
+}
+
 impl Tracer<'_, '_> {
-    /// The smallest distance at which each ray hits something, and what.
-    pub(super) fn nearest(&mut self, reaches: &[Reach]) -> io::Result<Vec<Option<(f32, usize)>>> {
-        let mut nearest: Vec<Option<(f32, usize)>> = vec![None; reaches.len()];
-        for (i, thing) in self.things.clone().into_iter().enumerate() {
-            let found = self.distances(thing.shape, reaches)?.into_iter();
+    /// The nearest hit of each ray.
+    pub(super) fn nearest(&mut self, reaches: &[Reach]) -> io::Result<Vec<Option<Nearest>>> {
+        let mut nearest: Vec<Option<Nearest>> = vec![None; reaches.len()];
+        for (thing, Thing { shape, .. }) in self.things.clone().into_iter().enumerate() {
+            let found: Vec<Option<(f32, u32)>> = if shape == Shape::Teapot {
+                self.teapot.hits(self.functions, reaches)?
+            } else {
+                let distances = self.distances(shape, reaches)?.into_iter();
+                distances.map(|t| Some((t?, 0))).collect()
+            };
             for ((best, found), (_, within)) in nearest.iter_mut().zip(found).zip(reaches) {
-                let is_nearer = |t: &f32| best.is_none_or(|(before, _)| *t < before);
-                if let Some(t) = found.filter(|t| within.contains(*t)).filter(is_nearer) {
-                    *best = Some((t, i));
+                let is_nearer = |t: f32| within.contains(t) && best.is_none_or(|best| t < best.t);
+                if let Some((t, part)) = found.filter(|&(t, _)| is_nearer(t)) {
+                    *best = Some(Nearest { t, thing, part });
                 }
             }
         }
         Ok(nearest)
     }
 
-    /// Where each ray hits a shape.
+    /// Where each ray hits a shape that is no mesh.
     fn distances(&mut self, shape: Shape, reaches: &[Reach]) -> io::Result<Vec<Option<f32>>> {
         let reaches = reaches.iter().copied();
         Ok(match shape {
@@ -78,6 +94,7 @@ impl Tracer<'_, '_> {
                 };
                 answers.map(distance).collect()
             }
+            Shape::Teapot => vec![None; reaches.len()],
             Shape::Triangle([p0, p1, p2]) => {
                 let question = |(ray, within)| TriangleHit {
                     ray,

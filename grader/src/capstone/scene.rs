@@ -1,4 +1,4 @@
-//! The scene of the picture: balls, one of them a mirror and one of glass, on a floor with a box and a pyramid, under a lamp.
+//! The scene of the picture: balls, one of them a mirror and one of glass, on a floor with a box, a pyramid and a teapot, under a lamp.
 
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::image::rgb::Rgb;
@@ -21,6 +21,8 @@ pub enum Shape {
     Block([Vec3; 2]),
     /// A triangle.
     Triangle([Vec3; 3]),
+    /// The teapot, a mesh.
+    Teapot,
 }
 
 /// What a surface is made of.
@@ -95,6 +97,7 @@ pub fn things() -> Vec<Thing> {
     ]
     .map(Vec3::from);
     let faces = (0..4).map(|i| Shape::Triangle([feet[i], feet[(i + 1) % 4], top]));
+    all.push(thing(Shape::Teapot, [0.2, 0.6, 0.65], Made::Matte));
     all.extend(faces.map(|face| thing(face, [0.5, 0.35, 0.65], Made::Matte)));
     all
 }

@@ -3,12 +3,14 @@
 use super::functions::Functions;
 use super::nearest::Reach;
 use super::scene::{Made, Shape, Thing, camera, sky, things};
+use super::teapot::Teapot;
 use glam::{Vec2, Vec3};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook_workbook::exercises::{
     ch01_rays::CameraRay, ch03_sphere::SphereHit, ch04_plane::PlaneHit, ch05_box::BoxClip,
-    ch06_triangle::TriangleHit, ch13_reflection::Reflect, ch14_refraction::Refract,
+    ch06_triangle::TriangleHit, ch07_mesh::MeshHit, ch13_reflection::Reflect,
+    ch14_refraction::Refract,
 };
 use std::io;
 
@@ -25,6 +27,8 @@ pub(super) struct Place {
     /// Which of the rays.
     pub(super) ray: usize,
     pub(super) thing: Thing,
+    /// Which of the thing's triangles, if it is a mesh.
+    pub(super) part: u32,
     pub(super) position: Vec3,
     /// Where the ray came from.
     pub(super) incoming: Dir3,
@@ -53,6 +57,7 @@ impl Place {
 pub struct Tracer<'a, 'b> {
     pub(super) functions: &'a mut Functions<'b>,
     pub(super) things: Vec<Thing>,
+    pub(super) teapot: Teapot,
 }
 
 impl<'a, 'b> Tracer<'a, 'b> {
@@ -64,8 +69,13 @@ impl<'a, 'b> Tracer<'a, 'b> {
             Shape::Floor => functions.has::<PlaneHit>(),
             Shape::Block(_) => functions.has::<BoxClip>(),
             Shape::Triangle(_) => functions.has::<TriangleHit>(),
+            Shape::Teapot => functions.has::<MeshHit>(),
         });
-        Self { functions, things }
+        Self {
+            functions,
+            things,
+            teapot: Teapot::new(),
+        }
     }
 
     /// What is seen through places on the film.
@@ -114,10 +124,11 @@ impl<'a, 'b> Tracer<'a, 'b> {
         let hits = self.nearest(&reaches)?.into_iter().enumerate();
         let hits = hits.filter_map(|(i, hit)| Some((i, hit?)));
         let mut places: Vec<_> = hits
-            .map(|(ray, (t, thing))| Place {
+            .map(|(ray, hit)| Place {
                 ray,
-                thing: self.things[thing],
-                position: rays[ray].at(t),
+                thing: self.things[hit.thing],
+                part: hit.part,
+                position: rays[ray].at(hit.t),
                 incoming: rays[ray].direction,
                 normal: Dir3::Y,
             })

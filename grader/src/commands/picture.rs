@@ -55,7 +55,7 @@ impl Picture {
                 (_, Some(_)) => "failing",
                 _ => "not yet",
             };
-            say(format!("  {state}  {:<16} {}", part.exercise, part.adds));
+            say(format!("  {state}  {:<18} {}", part.exercise, part.adds));
         }
         if functions.unanswered > 0 {
             complain(format!(

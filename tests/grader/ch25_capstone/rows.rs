@@ -53,11 +53,7 @@ fn a_wrong_scene_is_refused_with_the_word_that_is_wrong() {
             "wood",
             "`matter`, one of the words phong, mirror, glass, but is `wood`",
         ),
-        (
-            "glass 1.5",
-            "glass",
-            "word 54, `index`, is missing",
-        ),
+        ("glass 1.5", "glass", "word 54, `index`, is missing"),
         ("glass 1.5", "glass 1.5 2", "word 55, `2`, is one too many"),
         ("plane 0 1 0", "plane 0 0 0", "a direction"),
     ] {

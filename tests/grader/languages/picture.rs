@@ -24,7 +24,8 @@ fn the_picture_grows_with_the_workbook() {
     for (chapters, next) in [
         (&["ch03_sphere"][..], "Next: camera_ray"),
         (&["ch01_rays", "ch04_plane"], "Next: box_clip"),
-        (&["ch05_box", "ch06_triangle"], "Next: phong"),
+        (&["ch05_box", "ch06_triangle"], "Next: mesh_hit"),
+        (&["ch07_mesh"], "Next: phong"),
         (&["ch12_phong"], "Next: reflect"),
         (&["ch13_reflection"], "Next: refract"),
         (&["ch14_refraction", "ch15_shadows"], "written  shadow_ray"),

@@ -34,6 +34,9 @@ pub(crate) struct Clock {
     noted: Option<Duration>,
     /// The last look after that: when, since the beginning, and what was used.
     looked: Option<(Duration, Duration)>,
+    /// Whether it slept at the last look. One look may find nobody at work between the end of one process and the start of the next, as
+    /// in a shell's script.
+    slept: bool,
     /// How long, whenever it was looked at, the program was at work and did not have the processor.
     lost: Duration,
 }
@@ -47,6 +50,7 @@ impl Clock {
             wall: Duration::ZERO,
             noted: None,
             looked: None,
+            slept: false,
             lost: Duration::ZERO,
         }
     }
@@ -111,7 +115,8 @@ impl Clock {
             (limit / LOOK + since, usage.at_work)
         });
         self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
-        let sleeps = !at_work && elapsed >= total;
+        let sleeps = !at_work && self.slept && elapsed >= total;
+        self.slept = !at_work;
         sleeps || used >= total || elapsed >= AT_MOST * total
     }
 

@@ -113,7 +113,9 @@ impl Teapot {
             positions: self.positions.clone(),
             triangles: self.triangles.clone(),
         };
-        let mut normals = functions.ask_or_answer(&[question.clone()])?.remove(0);
+        let mut normals = functions
+            .ask_or_answer(std::slice::from_ref(&question))?
+            .remove(0);
         if normals.len() != self.positions.len() {
             normals = Functions::of_course(7)
                 .ask_or_answer(&[question])?

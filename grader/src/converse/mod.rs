@@ -16,6 +16,7 @@ use std::collections::VecDeque;
 use std::io::{self, Write};
 use std::process::{ChildStdin, Command, ExitStatus, Stdio};
 use std::sync::Arc;
+use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
 use std::thread;
 use std::time::{Duration, Instant};
@@ -100,26 +101,42 @@ pub(crate) struct Process {
 struct Questions {
     /// To the thread that writes them.
     to_write: Sender<String>,
+    /// How many texts are still to be written.
+    unwritten: Arc<AtomicUsize>,
     pipe: Arc<ChildStdin>,
 }
 
 impl Questions {
     fn new(pipe: ChildStdin) -> Self {
         let pipe = Arc::new(pipe);
+        let unwritten = Arc::new(AtomicUsize::new(0));
         let (to_write, questions) = channel::<String>();
-        let written = Arc::clone(&pipe);
+        let (into, left) = (Arc::clone(&pipe), Arc::clone(&unwritten));
         // A program that ends early does not read it all, and that is its business.
         thread::spawn(move || {
-            questions
-                .iter()
-                .try_for_each(|text| (&*written).write_all(text.as_bytes()))
+            questions.iter().try_for_each(|text| {
+                (&*into).write_all(text.as_bytes())?;
+                left.fetch_sub(1, Ordering::SeqCst);
+                io::Result::Ok(())
+            })
         });
-        Self { to_write, pipe }
+        Self {
+            to_write,
+            unwritten,
+            pipe,
+        }
     }
 
-    /// Whether the process has read all that was written, where the system tells.
+    fn write(&self, text: String) {
+        self.unwritten.fetch_add(1, Ordering::SeqCst);
+        // The writer has gone where the program has ended, which is heard elsewhere.
+        let _ = self.to_write.send(text);
+    }
+
+    /// Whether the process has read all questions, where the system tells. On a busy machine the writer may still be waiting to write them,
+    /// and the pipe is empty.
     fn are_read(&self) -> bool {
-        are_read(&self.pipe)
+        self.unwritten.load(Ordering::SeqCst) == 0 && are_read(&self.pipe)
     }
 }
 
@@ -188,8 +205,7 @@ impl Process {
             .flat_map(|question| [question, "\n"])
             .collect();
         if let Some(questions) = &self.questions {
-            // The writer has gone where the program has ended, which is heard below.
-            let _ = questions.to_write.send(text);
+            questions.write(text);
         }
         let mut conversation = self.listen(questions.len(), limits, waits, budget);
         if let Some(end) = &mut conversation.end

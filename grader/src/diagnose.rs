@@ -160,9 +160,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         }
         let nearly = whole
             .as_ref()
-            .filter(|one| one.is_own() && one.score.contradicted == 0);
+            .filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
         let nearly = nearly.map(|one| one.told(evidence));
-        let is_good = slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
+        let is_good =
+            nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
         let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
         let mut made = nearly.into_iter().chain(slip).chain(likely);
         let cause = made.find(|one| one.name != found.name);

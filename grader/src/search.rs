@@ -123,6 +123,8 @@ pub struct How {
     pub counts_hits: bool,
     /// Ends a leaf before its last triangle.
     pub forgets_the_last: bool,
+    /// Begins a leaf with its second triangle.
+    pub forgets_the_first: bool,
 }
 
 /// As it should be.
@@ -142,6 +144,7 @@ const WELL: How = How {
     only_the_first: false,
     counts_hits: false,
     forgets_the_last: false,
+    forgets_the_first: false,
 };
 
 /// What a search found, and what it cost.
@@ -273,7 +276,8 @@ impl Search<'_> {
                 } else {
                     triangles.len().saturating_sub(last)
                 };
-                for &id in &triangles[..end] {
+                let first = usize::from(self.how.forgets_the_first);
+                for &id in triangles[..end].iter().skip(first) {
                     if self.test(id) && self.how.stops_in_leaf {
                         break;
                     }

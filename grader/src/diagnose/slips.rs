@@ -7,10 +7,10 @@ use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::{Decision, Step, Way};
+use crate::explain::way::{Decision, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::{LN_2, LN_10, PI, TAU};
 
 /// What is often made of a value of a certain size.
 struct Common {
@@ -39,6 +39,8 @@ common! {
     0 11 "takes 1½ times the value": Each |v| 1.5 * v;
     0 12 "takes 10 times the value": Each |v| 10.0 * v;
     0 12 "takes a tenth of the value": Each |v| 0.1 * v;
+    0 12 "takes 8 times the value": Each |v| 8.0 * v;
+    0 12 "takes an eighth of the value": Each |v| 0.125 * v;
     0 10 "takes π times the value": Each |v| PI * v;
     0 10 "takes the value divided by π": Each |v| v / PI;
     0 10 "takes 2π times the value": Each |v| TAU * v;
@@ -51,6 +53,8 @@ common! {
     0 11 "takes the value minus ½": Each |v| v - 0.5;
     0 12 "takes the value plus 2": Each |v| v + 2.0;
     0 12 "takes the value minus 2": Each |v| v - 2.0;
+    0 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
+    0 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
     2 10 "exchanges both numbers": Together |v| v.swap(0, 1);
     2 11 "has the sign of the first number wrong": Together |v| v[0] = -v[0];
     2 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
@@ -163,6 +167,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     // Each with what leads on.
     let mut steps: Vec<(Step, &str)> = Vec::new();
     let mut decisions = Vec::new();
+    let mut operations = Vec::new();
     let mut length = 0;
     for item in &evidence.items {
         let mut way = Way::default();
@@ -186,6 +191,11 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 .any(|one: &Decision| one.place == decision.place)
             {
                 decisions.push(decision);
+            }
+        }
+        for operation in walked.operations {
+            if !operations.contains(&operation) {
+                operations.push(operation);
             }
         }
     }
@@ -224,7 +234,10 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 let of = short(other);
                 let name = format!("takes the value of “{of}” where that of “{name}” belongs");
                 let of = other.place;
-                add(name, hint, 12, Slip::Other { at, of });
+                // What has another unit or another number of components is seldom taken by mistake.
+                let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
+                let rank = if is_alike { 12 } else { 13 };
+                add(name, hint, rank, Slip::Other { at, of });
             }
         }
     }
@@ -242,19 +255,49 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         );
         add(name, hint, operation.rank, operation.slip);
     }
-    for Decision { name, place, .. } in decisions {
-        let mut add = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
-        add(format!("never takes it into account when {name}"), |_| {
+    for Decision {
+        name,
+        place,
+        compares,
+        ..
+    } in decisions
+    {
+        let mut add = |name, rank, slip| add(name, CONDITION, rank, slip);
+        let mut turned = |name, of| add(name, 9, Slip::Decision(place, of));
+        turned(format!("never takes it into account when {name}"), |_| {
             false
         });
-        add(format!("always goes on as if {name}"), |_| true);
-        add(
+        turned(format!("always goes on as if {name}"), |_| true);
+        turned(
             format!("decides the other way round whether {name}"),
             |holds| !holds,
+        );
+        if compares {
+            let tie = format!(
+                "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
+            );
+            add(tie, 9, Slip::Tie(place));
+            for (rank, least) in (10..).zip(NEAR) {
+                let near = format!(
+                    "takes a difference of less than {least} for none when it decides whether {name}"
+                );
+                add(near, rank, Slip::Near(place, least));
+            }
+        }
+    }
+    for Operation { name, place } in operations {
+        add(
+            format!("forgets {name}"),
+            FORGOTTEN,
+            9,
+            Slip::Forgotten(place),
         );
     }
     all
 }
+
+/// Thresholds that people write for 0; of those that explain the answers the largest is told.
+const NEAR: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
 
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
@@ -273,6 +316,9 @@ const ROUND: &str =
 /// What leads on from a decision.
 const CONDITION: &str =
     "Which of your conditions decides this? Print its two sides in the first wrong case.";
+
+/// What leads on from what is forgotten.
+const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";
 
 /// What people make of a step's value: in words, with a question that leads on if there is one, how common it is, and the
 /// change itself.

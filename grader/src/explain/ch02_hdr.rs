@@ -52,9 +52,9 @@ impl Explained for EncodeSrgb {
         const STRAIGHT: f32 = 0.003_130_8;
         let v = f64::from(self.v);
         // NaN has no code value; it is shown as black.
-        let is_light = way.decides("v is above 0", v > 0.0);
+        let is_light = way.is_less("v is above 0", 0.0, v);
         let least = if is_light { v } else { 0.0 };
-        let most = if way.decides("v is above 1", least > 1.0) {
+        let most = if way.is_less("v is above 1", 1.0, least) {
             1.0
         } else {
             least
@@ -64,7 +64,7 @@ impl Explained for EncodeSrgb {
             "0.0031308, where the straight part ends",
             f64::from(STRAIGHT),
         );
-        let code = if way.decides("v is in the straight part of the curve", v <= end) {
+        let code = if way.is_at_most("v is in the straight part of the curve", v, end) {
             way.remark("v is at most 0.0031308: the curve is straight.");
             way.number("12.92 v", "", 12.92 * v)
         } else {

@@ -21,7 +21,7 @@ fn discriminant(way: &mut Way, [a, b, c]: [f64; 3]) -> f64 {
 pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
     let discriminant = discriminant(way, [a, b, c]);
     let discriminant = way.number("B² − 4AC", "", discriminant);
-    if way.decides("the discriminant is negative", discriminant < 0.0) {
+    if way.is_less("the discriminant is negative", discriminant, 0.0) {
         way.remark("The discriminant is negative: no root is real.");
         return None;
     }
@@ -31,7 +31,7 @@ pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
         "",
         -0.5 * (b + root.copysign(b)),
     );
-    let [t0, t1] = if way.decides("q is 0", q == 0.0) {
+    let [t0, t1] = if way.is_zero("q is 0", q) {
         [0.0; 2]
     } else {
         let under = way.part("A under q", a);
@@ -45,7 +45,7 @@ pub fn roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
 
 /// Two roots, the smaller one first.
 fn sorted(way: &mut Way, t0: f64, t1: f64) -> [f64; 2] {
-    let is_sorted = way.decides("the roots are in order", t0 <= t1);
+    let is_sorted = way.is_at_most("the roots are in order", t0, t1);
     let [small, large] = if is_sorted { [t0, t1] } else { [t1, t0] };
     [
         way.part("the smaller root", small),
@@ -57,7 +57,7 @@ fn sorted(way: &mut Way, t0: f64, t1: f64) -> [f64; 2] {
 fn book_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
     let discriminant = discriminant(way, [a, b, c]);
     let discriminant = way.part("B² − 4AC", discriminant);
-    if way.decides("the discriminant is negative", discriminant < 0.0) {
+    if way.is_less("the discriminant is negative", discriminant, 0.0) {
         return None;
     }
     let root = way.part("√(B² − 4AC)", discriminant.sqrt());
@@ -76,13 +76,13 @@ fn normalised_roots(way: &mut Way, [a, b, c]: [f64; 3]) -> Option<[f64; 2]> {
     let half = way.part("p/2", 0.5 * p);
     let square = way.part("(p/2)²", half * half);
     let discriminant = way.part("(p/2)² − q", square - q);
-    if way.decides("the discriminant is negative", discriminant < 0.0) {
+    if way.is_less("the discriminant is negative", discriminant, 0.0) {
         return None;
     }
     let root = way.part("√((p/2)² − q)", discriminant.sqrt());
     let middle = way.part("−p/2", -half);
     let large = way.part("the root of the larger size", middle - root.copysign(half));
-    if way.decides("both roots are 0", large == 0.0) {
+    if way.is_zero("both roots are 0", large) {
         return Some([0.0; 2]);
     }
     let small = way.part("q/the other root", last / large);
@@ -96,7 +96,7 @@ fn solved(asked: &SolveQuadratic, way: &mut Way, roots: Roots) -> Option<Vec2> {
     let a = way.part("A", f64::from(asked.a));
     let b = way.part("B", f64::from(asked.b));
     let c = way.part("C", f64::from(asked.c));
-    if way.decides("A is 0", a == 0.0) {
+    if way.is_zero("A is 0", a) {
         way.remark("A is 0: the equation is not quadratic.");
         return None;
     }
@@ -188,7 +188,7 @@ fn by_chord(asked: &SphereHit, way: &mut Way) -> Option<f32> {
     let away = way.part("the square of that distance", beside.length_squared());
     let radius = way.part("r²", radius * radius);
     let square = way.part("the square of half of the chord", radius - away);
-    if way.decides("the ray passes by the sphere", square < 0.0) {
+    if way.is_less("the ray passes by the sphere", square, 0.0) {
         return None;
     }
     let half = way.part("half of the chord", square.sqrt());
@@ -208,7 +208,7 @@ fn by_pythagoras(asked: &SphereHit, way: &mut Way) -> Option<f32> {
     let leg = way.part("s²", foot * foot);
     let away = way.part("|c − o|² − s²", whole - leg);
     let most = way.part("r² that is compared", radius * radius);
-    if way.decides("the ray passes by the sphere", away > most) {
+    if way.is_less("the ray passes by the sphere", most, away) {
         return None;
     }
     let square = way.part("r² − (|c − o|² − s²)", radius * radius - away);

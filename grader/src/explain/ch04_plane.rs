@@ -17,7 +17,7 @@ fn by_height(asked: &PlaneHit, way: &mut Way) -> Option<f32> {
     let height = way.part("n·o − offset, the height above the plane", start - offset);
     let speed = way.part("n·d", n.dot(d));
     let sinks = way.part("−n·d, how fast the ray sinks", -speed);
-    if way.decides("the ray is parallel to the plane", sinks == 0.0) {
+    if way.is_zero("the ray is parallel to the plane", sinks) {
         return None;
     }
     let t = way.part("t = the height/(−n·d)", height / sinks);
@@ -36,7 +36,7 @@ fn by_point(asked: &PlaneHit, way: &mut Way) -> Option<f32> {
     let beside = way.part("n in the numerator", n);
     let numerator = way.part("(offset · n − o)·n", to_plane.dot(beside));
     let denominator = way.part("n·d", n.dot(d));
-    if way.decides("the ray is parallel to the plane", denominator == 0.0) {
+    if way.is_zero("the ray is parallel to the plane", denominator) {
         return None;
     }
     let t = way.part("t = (offset · n − o)·n/(n·d)", numerator / denominator);
@@ -60,7 +60,7 @@ impl Explained for PlaneHit {
             offset - height,
         );
         let denominator = way.number("n·d: how fast the ray gets there", "", n.dot(d));
-        if way.decides("the ray is parallel to the plane", denominator == 0.0) {
+        if way.is_zero("the ray is parallel to the plane", denominator) {
             way.remark("n·d is 0: the ray is parallel to the plane.");
             return None;
         }

@@ -32,7 +32,7 @@ fn slab(q: &BoxClip, axis: usize, way: &mut Way, how: Slabs) -> [f64; 2] {
     let speed = way.part("the direction's component", d[axis]);
     let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
     let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
-    if how.asks && way.decides("the ray runs along two planes", speed == 0.0) {
+    if how.asks && way.is_zero("the ray runs along two planes", speed) {
         let is_between = low <= start && start <= high;
         return if way.decides("such a ray is between the planes", is_between) {
             [f64::NEG_INFINITY, f64::INFINITY]
@@ -75,18 +75,18 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
         for (outside, speed) in [(below, -speed), (above, speed)] {
             // The ray is inside where outside + t · speed is at most 0.
             let t = way.part("t of a plane", -outside / speed);
-            if way.decides("the ray runs along a plane", speed == 0.0) {
-                if way.decides("such a ray is outside of the plane", outside > 0.0) {
+            if way.is_zero("the ray runs along a plane", speed) {
+                if way.is_less("such a ray is outside of the plane", 0.0, outside) {
                     return None;
                 }
-            } else if way.decides("the ray enters through a plane", speed < 0.0) {
+            } else if way.is_less("the ray enters through a plane", speed, 0.0) {
                 enter = way.part("the later entry", enter.max(t));
             } else {
                 leave = way.part("the earlier exit", leave.min(t));
             }
         }
     }
-    let remains = way.decides("the end is not before the beginning", leave - enter >= 0.0);
+    let remains = way.is_at_most("the end is not before the beginning", 0.0, leave - enter);
     remains.then(|| Interval::new(enter as f32, leave as f32))
 }
 
@@ -106,7 +106,7 @@ fn by_slabs(q: &BoxClip, way: &mut Way, how: Slabs) -> Option<Interval> {
         let left = way.pair(format!("what remains after {name}"), "m", left);
         [min, max] = left.to_array();
     }
-    if way.decides("the end is not before the beginning", max - min >= 0.0) {
+    if way.is_at_most("the end is not before the beginning", 0.0, max - min) {
         Some(Interval::new(min as f32, max as f32))
     } else {
         way.remark("The end is before the beginning: nothing remains.");

@@ -27,7 +27,10 @@ pub fn meets(way: &mut Way, ray: &Ray, within: Interval, corners: [Vec3; 3]) -> 
     let determinant = way.number("determinant = s₁·e₁", "m²", s1.dot(e1));
     // The library says which determinants are too small to divide by.
     let solvable = Triangle::new(corners[0], corners[1], corners[2]).solvable(determinant as f32);
-    if way.decides("the determinant is 0", !solvable) {
+    if way.is_zero(
+        "the determinant is 0",
+        if solvable { determinant } else { 0.0 },
+    ) {
         way.remark("The determinant is 0 but for rounding: the ray is parallel to the triangle, or the triangle has no area.");
         return None;
     }
@@ -42,9 +45,9 @@ pub fn meets(way: &mut Way, ray: &Ray, within: Interval, corners: [Vec3; 3]) -> 
     let e2 = way.part("e₂ in s₂·e₂", e2);
     let t = way.part("s₂·e₂", s2.dot(e2));
     let t = way.number("t = s₂·e₂/determinant", "m", t / determinant);
-    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
-        || way.decides("b₁ is negative", b1 < -EDGE)
-        || way.decides("b₂ is negative", b2 < -EDGE);
+    let is_outside = way.is_less("b₀ is negative", b0, -EDGE)
+        || way.is_less("b₁ is negative", b1, -EDGE)
+        || way.is_less("b₂ is negative", b2, -EDGE);
     if is_outside {
         way.remark("A weight is negative: the point is beyond the edge opposite to that corner.");
         None
@@ -79,9 +82,9 @@ fn by_volumes(asked: &TriangleHit, way: &mut Way) -> Option<[f64; 3]> {
     let b0 = way.part("b₀", v0 / whole);
     let b1 = way.part("b₁", v1 / whole);
     let b2 = way.part("b₂", v2 / whole);
-    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
-        || way.decides("b₁ is negative", b1 < -EDGE)
-        || way.decides("b₂ is negative", b2 < -EDGE);
+    let is_outside = way.is_less("b₀ is negative", b0, -EDGE)
+        || way.is_less("b₁ is negative", b1, -EDGE)
+        || way.is_less("b₂ is negative", b2, -EDGE);
     let of_a = way.part("b₀ a", b0 * a);
     let of_b = way.part("b₁ b", b1 * b);
     let of_c = way.part("b₂ c", b2 * c);
@@ -115,9 +118,9 @@ fn by_plane(asked: &TriangleHit, way: &mut Way) -> Option<[f64; 3]> {
     let b1 = way.part("b₁", a1 / area);
     let b2 = way.part("b₂", a2 / area);
     let b0 = way.part("b₀ = 1 − b₁ − b₂", 1.0 - b1 - b2);
-    let is_outside = way.decides("b₀ is negative", b0 < -EDGE)
-        || way.decides("b₁ is negative", b1 < -EDGE)
-        || way.decides("b₂ is negative", b2 < -EDGE);
+    let is_outside = way.is_less("b₀ is negative", b0, -EDGE)
+        || way.is_less("b₁ is negative", b1, -EDGE)
+        || way.is_less("b₂ is negative", b2, -EDGE);
     (!is_outside && rays::counts(way, asked.within, t)).then_some([t, b1, b2])
 }
 
@@ -192,7 +195,7 @@ fn by_the_second(asked: &TriangleNormal, way: &mut Way) -> Option<Vec3> {
     let next = way.part("p₂ − p₁", p2 - p1);
     let back = way.part("p₀ − p₁", p0 - p1);
     let across: DVec3 = way.part("(p₂ − p₁) × (p₀ − p₁)", next.cross(back));
-    if way.decides("the triangle has no area", across.length() == 0.0) {
+    if way.is_zero("the triangle has no area", across.length()) {
         return None;
     }
     Some(way.part("that, of length 1", across.normalize()).as_vec3())
@@ -207,7 +210,7 @@ impl Explained for TriangleNormal {
         let e2 = way.vector("e₂ = p₂ − p₀", "m", p2 - p0);
         let across: DVec3 = way.vector("e₁ × e₂", "m²", e1.cross(e2));
         let length = way.number("|e₁ × e₂|, twice the area", "m²", across.length());
-        if way.decides("the triangle has no area", length == 0.0) {
+        if way.is_zero("the triangle has no area", length) {
             way.remark("The triangle has no area.");
             return None;
         }

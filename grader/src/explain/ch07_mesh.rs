@@ -26,8 +26,12 @@ where
     let b1 = way.part("b₁", f64::from(b.x));
     let b2 = way.part("b₂", f64::from(b.y));
     let first = way.part("what the first corner has", v0);
-    let to_second = way.part("from the first corner to the second", v1 - v0);
-    let to_third = way.part("from the first corner to the third", v2 - v0);
+    let second = way.part("what the second corner has", v1);
+    let third = way.part("what the third corner has", v2);
+    let from = way.part("what the first corner has, in the first edge", v0);
+    let to_second = way.part("from the first corner to the second", second - from);
+    let from = way.part("what the first corner has, in the second edge", v0);
+    let to_third = way.part("from the first corner to the third", third - from);
     let along = way.part("b₁ times the first of these", b1 * to_second);
     let aside = way.part("b₂ times the second of these", b2 * to_third);
     way.part("the sum", first + along + aside)
@@ -50,7 +54,7 @@ impl Explained for InterpolateNormal {
         let sum = b[0] * n0 + b[1] * n1 + b[2] * n2;
         let sum: DVec3 = way.vector("b₀n₀ + b₁n₁ + b₂n₂", "", sum);
         let length = way.number("its length", "", sum.length());
-        let normal = if way.decides("the sum has a length", length > 0.0) {
+        let normal = if way.is_less("the sum has a length", 0.0, length) {
             sum / length
         } else {
             n0
@@ -78,7 +82,9 @@ impl Explained for InterpolateTexture {
 
 impl Explained for VertexNormals {
     fn work(&self, way: &mut Way) -> Vec<Vec3> {
-        let mut sums = vec![DVec3::ZERO; self.positions.len()];
+        let of_none = way.part("the normal of a vertex without an area", DVec3::Y);
+        let nothing = way.part("what a vertex's sum begins with", DVec3::ZERO);
+        let mut sums = vec![nothing; self.positions.len()];
         for (i, triangle) in self.triangles.iter().enumerate() {
             let corners = [triangle.a, triangle.b, triangle.c];
             let [p0, p1, p2] = corners.map(|k| self.positions[k as usize].as_dvec3());
@@ -96,11 +102,12 @@ impl Explained for VertexNormals {
         }
         let each = sums.into_iter().enumerate().map(|(i, sum)| {
             let sum = way.vector(format!("vertex {i}, the sum of its triangles'"), "m²", sum);
-            let lone = way.decides("a vertex has no triangle with an area", sum.length() == 0.0);
+            let length = sum.length();
+            let lone = way.is_at_most("a vertex has no triangle with an area", length, 0.0);
             let normal = if lone {
-                way.part("the normal of such a vertex", DVec3::Y)
+                way.part("the normal of such a vertex", of_none)
             } else {
-                sum.normalize()
+                way.made("to normalise a vertex's sum", sum, sum / length)
             };
             way.vector(format!("vertex {i}, the same of length 1"), "", normal)
                 .as_vec3()

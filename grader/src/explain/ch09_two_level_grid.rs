@@ -10,13 +10,85 @@ use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch08_grid::{GridResolution, GridWalk, Visit};
 use raybook_workbook::exercises::ch09_two_level_grid::{
-    Entry, RefineCell, RefineCellAnswer, TwoLevelWalk,
+    Entry, RefineCell, RefineCellAnswer, Resolution, TwoLevelWalk,
 };
 
 /// The greatest number of fine cells along an axis: what a byte holds.
 const MOST: u32 = 255;
 
+/// The same cell by cell: each shape is compared with each fine cell.
+fn cell_by_cell(q: &RefineCell, way: &mut Way) -> RefineCellAnswer {
+    let (min, max) = (q.min.as_dvec3(), q.max.as_dvec3());
+    let along = resolution(q, way).unwrap_or(UVec3::ZERO);
+    let extents = way.part("max − min", max - min);
+    let parts = way.part("the resolution in (max − min)/resolution", along.as_dvec3());
+    let size = way.part("the extents of a fine cell", extents / parts);
+    let min = way.part("min", min);
+    let mut entries = Vec::new();
+    for at in cells(along) {
+        let place = way.part("the cell's numbers", at.as_dvec3());
+        let low = way.part("a fine cell's least corner", min + place * size);
+        let high = way.part("a fine cell's greatest corner", low + size);
+        for (shape, box_of) in (0..).zip(&q.shapes) {
+            let [first, last] = [box_of.min, box_of.max].map(Vec3::as_dvec3);
+            let reaches = |axis: usize| {
+                way.is_at_most(
+                    "a shape begins before a fine cell's end",
+                    first[axis],
+                    high[axis],
+                ) && way.is_at_most(
+                    "a shape ends behind a fine cell's begin",
+                    low[axis],
+                    last[axis],
+                )
+            };
+            if (0..3).all(reaches) {
+                let UVec3 { x, y, z } = at;
+                entries.push(Entry { x, y, z, shape });
+            }
+        }
+    }
+    let UVec3 {
+        x: nx,
+        y: ny,
+        z: nz,
+    } = along;
+    RefineCellAnswer {
+        nx,
+        ny,
+        nz,
+        entries,
+    }
+}
+
+/// All cells of a lattice, along x first, then y, then z.
+fn cells(along: UVec3) -> impl Iterator<Item = UVec3> {
+    let row = move |(z, y)| (0..along.x).map(move |x| UVec3::new(x, y, z));
+    let rows = (0..along.z).flat_map(move |z| (0..along.y).map(move |y| (z, y)));
+    rows.flat_map(row)
+}
+
+/// The number of fine cells along each axis; none of a cell without shapes.
+fn resolution(q: &RefineCell, way: &mut Way) -> Option<UVec3> {
+    if q.shapes.is_empty() {
+        way.remark("The cell has no shapes: it gets no fine cells, 0 × 0 × 0.");
+        return None;
+    }
+    let resolution = GridResolution {
+        extents: q.max - q.min,
+        shapes: q.shapes.len() as u32,
+        density: q.density,
+    };
+    let along = resolution.work(way);
+    let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(MOST));
+    let along = way.vector("the resolution, 255 at most", "", along.as_dvec3());
+    let along = along.clamp(DVec3::ONE, DVec3::splat(MOST.into()));
+    Some(along.as_uvec3())
+}
+
 impl Explained for RefineCell {
+    const WAYS: &'static [fn(&Self, &mut Way) -> RefineCellAnswer] = &[Self::work, cell_by_cell];
+
     fn work(&self, way: &mut Way) -> RefineCellAnswer {
         let mut answer = RefineCellAnswer {
             nx: 0,
@@ -24,21 +96,9 @@ impl Explained for RefineCell {
             nz: 0,
             entries: Vec::new(),
         };
-        if self.shapes.is_empty() {
-            way.remark("The cell has no shapes: it gets no fine cells, 0 × 0 × 0.");
+        let Some(along) = resolution(self, way) else {
             return answer;
-        }
-        let resolution = GridResolution {
-            extents: self.max - self.min,
-            shapes: self.shapes.len() as u32,
-            density: self.density,
         };
-        let along = resolution.work(way);
-        let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(MOST));
-        let along = way.vector("the resolution, 255 at most", "", along.as_dvec3());
-        let along = along
-            .clamp(DVec3::ONE, DVec3::splat(MOST.into()))
-            .as_uvec3();
         let (min, last) = (self.min.as_dvec3(), (along - 1).as_dvec3());
         let extents = way.part("max − min", self.max.as_dvec3() - min);
         let size = extents / along.as_dvec3();
@@ -149,7 +209,61 @@ fn through(q: &TwoLevelWalk, min: Vec3, cell: Vec3, counts: UVec3, within: Inter
     }
 }
 
+/// The same without a walk: all fine cells in which the ray stays for a while, sorted by the middle of the stay.
+fn by_clipping(q: &TwoLevelWalk, way: &mut Way) -> Vec<u32> {
+    let of = |n: &Resolution| UVec3::new(n.nx, n.ny, n.nz);
+    let ray = rays::parts(&q.ray);
+    let begin = way.part("within.min", f64::from(q.within.min));
+    let end = way.part("within.max", f64::from(q.within.max));
+    let min = way.part("the grid's least corner", q.min.as_dvec3());
+    let extents = way.part("the grid's extents", q.max.as_dvec3() - min);
+    let coarse = way.part(
+        "the number of coarse cells along each axis",
+        of(&q.coarse).as_dvec3(),
+    );
+    let size = way.part("the extents of a coarse cell", extents / coarse);
+    let (mut first, mut stays) = (0, Vec::new());
+    for (at, n) in cells(of(&q.coarse)).zip(q.fine.iter().map(of)) {
+        let place = way.part("a coarse cell's numbers", at.as_dvec3());
+        let low = way.part("the least corner of a coarse cell", min + place * size);
+        let before = way.part(
+            "the fine cells of the coarse cells before",
+            f64::from(first),
+        );
+        let count = n.element_product();
+        first += count;
+        if way.is_less("a coarse cell is empty", count.into(), 1.0) {
+            continue;
+        }
+        let along = way.part("the number of fine cells along each axis", n.as_dvec3());
+        let size = way.part("the extents of a fine cell", size / along);
+        let strides = way.part("nx and ny in x + nx·(y + ny·z)", n.as_dvec3().truncate());
+        for at in cells(n) {
+            let low = way.part(
+                "the least corner of a fine cell",
+                low + at.as_dvec3() * size,
+            );
+            let inside = rays::clipped(ray, [begin, end], low, low + size);
+            let Some([enter, leave]) = inside.filter(|[enter, leave]| leave - enter > TOUCH) else {
+                continue;
+            };
+            let [x, y, z] = at.as_dvec3().to_array();
+            let place = way.part("x + nx·(y + ny·z)", x + strides.x * (y + strides.y * z));
+            let middle = 0.5 * (enter + leave);
+            let middle = way.made("to sort the cells by where the ray is in them", 0.0, middle);
+            stays.push((middle, before + place));
+        }
+    }
+    stays.sort_by(|a, b| a.0.total_cmp(&b.0));
+    stays.into_iter().map(|(_, place)| place as u32).collect()
+}
+
+/// A ray that is no longer than this in a cell, in metres, only touches it.
+const TOUCH: f64 = 1e-9;
+
 impl Explained for TwoLevelWalk {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<u32>] = &[Self::work, by_clipping];
+
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let levels = self.levels();
         let top = levels.top;

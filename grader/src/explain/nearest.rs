@@ -31,7 +31,7 @@ impl Nearest {
             return;
         };
         let t = way.number(format!("{name} is hit at t ="), "m", t);
-        if way.decides("a hit is nearer than all before it", t < self.limit()) {
+        if way.is_less("a hit is nearer than all before it", t, self.limit()) {
             self.hit = Some((t, id));
         }
     }

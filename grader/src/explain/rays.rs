@@ -16,7 +16,7 @@ pub fn parts(ray: &Ray) -> (DVec3, DVec3) {
 pub fn counts(way: &mut Way, within: Interval, t: f64) -> bool {
     let min = way.part("min", f64::from(within.min));
     let max = way.part("max", f64::from(within.max));
-    way.decides("t is larger than min", min < t) && way.decides("t is smaller than max", t < max)
+    way.is_less("t is larger than min", min, t) && way.is_less("t is smaller than max", t, max)
 }
 
 /// The distances of an interval at which a ray is in a box, or on its surface.

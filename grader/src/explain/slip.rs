@@ -60,6 +60,21 @@ impl Mixed {
     }
 }
 
+/// Whether a number is less than another.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Comparison {
+    pub one: f64,
+    pub other: f64,
+    /// Whether it holds of equal numbers: ≤, not <.
+    pub equal_counts: bool,
+}
+
+impl Comparison {
+    pub fn holds(self) -> bool {
+        self.one < self.other || self.equal_counts && self.one == self.other
+    }
+}
+
 /// What happens at one step, wherever the way comes by it.
 #[derive(Clone, Copy, Debug)]
 pub enum Slip {
@@ -88,6 +103,12 @@ pub enum Slip {
     Stale(Place),
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),
+    /// Two numbers that differ by less than this are taken for equal.
+    Near(Place, f64),
+    /// Equal numbers are compared by < for ≤, or the other way round.
+    Tie(Place),
+    /// An operation is forgotten.
+    Forgotten(Place),
 }
 
 impl Slip {
@@ -98,7 +119,25 @@ impl Slip {
             | Self::Stale(at)
             | Self::Other { at, .. }
             | Self::Mix { at, .. }
-            | Self::Decision(at, _) => at,
+            | Self::Decision(at, _)
+            | Self::Near(at, _)
+            | Self::Tie(at)
+            | Self::Forgotten(at) => at,
+        }
+    }
+
+    /// What it makes of the decision at a place, and of what is compared there, if two numbers are.
+    pub(super) fn decided(&self, place: Place, holds: bool, of: Option<Comparison>) -> bool {
+        if self.place() != place {
+            return holds;
+        }
+        match (*self, of) {
+            (Self::Decision(_, decide), _) => decide(holds),
+            (Self::Tie(_), Some(of)) if of.one == of.other => !of.equal_counts,
+            (Self::Near(_, least), Some(of)) if (of.one - of.other).abs() < least => {
+                of.equal_counts
+            }
+            _ => holds,
         }
     }
 }

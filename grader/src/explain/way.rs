@@ -1,6 +1,6 @@
 //! The steps of a calculation, one after the other, as somebody writes them down who does it by hand.
 
-use super::slip::{Place, Slip, end_if_endless};
+use super::slip::{Comparison, Place, Slip, end_if_endless};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 
@@ -69,6 +69,17 @@ pub struct Decision {
     pub held: bool,
     /// Whether it did not at some time.
     pub failed: bool,
+    /// Whether it compares two numbers.
+    pub compares: bool,
+}
+
+/// An operation on a value, which may be forgotten.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Operation {
+    /// What is done, after "forgets": "to take the absolute value".
+    pub name: &'static str,
+    /// Where it is done.
+    pub place: Place,
 }
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
@@ -77,6 +88,7 @@ pub struct Way {
     steps: Vec<Step>,
     untold: Vec<Step>,
     decisions: Vec<Decision>,
+    operations: Vec<Operation>,
     slips: [Option<Slip>; 2],
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
@@ -96,6 +108,8 @@ pub struct Walked {
     pub untold: Vec<Step>,
     /// The decisions: at each place the first.
     pub decisions: Vec<Decision>,
+    /// The operations that may be forgotten: at each place the first.
+    pub operations: Vec<Operation>,
     /// The number of steps and decisions, told or not, at all places.
     pub length: usize,
 }
@@ -197,6 +211,39 @@ impl Way {
     /// Whether a condition holds on which the calculation branches.
     #[track_caller]
     pub fn decides(&mut self, name: &'static str, holds: bool) -> bool {
+        self.decide(name, holds, None)
+    }
+
+    /// Whether a number is less than another.
+    #[track_caller]
+    pub fn is_less(&mut self, name: &'static str, one: f64, other: f64) -> bool {
+        self.compares(name, one, other, false)
+    }
+
+    /// Whether a number is another at most.
+    #[track_caller]
+    pub fn is_at_most(&mut self, name: &'static str, one: f64, other: f64) -> bool {
+        self.compares(name, one, other, true)
+    }
+
+    /// Whether a number is 0.
+    #[track_caller]
+    pub fn is_zero(&mut self, name: &'static str, v: f64) -> bool {
+        self.compares(name, v.abs(), 0.0, true)
+    }
+
+    #[track_caller]
+    fn compares(&mut self, name: &'static str, one: f64, other: f64, equal_counts: bool) -> bool {
+        let of = Comparison {
+            one,
+            other,
+            equal_counts,
+        };
+        self.decide(name, of.holds(), Some(of))
+    }
+
+    #[track_caller]
+    fn decide(&mut self, name: &'static str, holds: bool, of: Option<Comparison>) -> bool {
         let place = Place::here();
         self.count();
         let at = self.decisions.iter().position(|one| one.place == place);
@@ -206,18 +253,30 @@ impl Way {
                 place,
                 held: false,
                 failed: false,
+                compares: of.is_some(),
             });
             self.decisions.len() - 1
         });
         self.decisions[at].held |= holds;
         self.decisions[at].failed |= !holds;
-        self.slips
-            .iter()
-            .flatten()
-            .fold(holds, |holds, slip| match slip {
-                Slip::Decision(at, of) if *at == place => of(holds),
-                _ => holds,
-            })
+        let slips = self.slips.iter().flatten();
+        slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
+    }
+
+    /// What an operation, "to take the absolute value", makes of a value.
+    #[track_caller]
+    pub fn made<V>(&mut self, name: &'static str, from: V, made: V) -> V {
+        let place = Place::here();
+        self.count();
+        if !self.operations.iter().any(|one| one.place == place) {
+            self.operations.push(Operation { name, place });
+        }
+        let forgets = |slip: &Slip| matches!(slip, Slip::Forgotten(at) if *at == place);
+        if self.slips.iter().flatten().any(forgets) {
+            from
+        } else {
+            made
+        }
     }
 
     /// Calculates what is not told.
@@ -278,6 +337,7 @@ impl Way {
             steps: self.steps,
             untold: self.untold,
             decisions: self.decisions,
+            operations: self.operations,
             length: self.calculated,
         }
     }

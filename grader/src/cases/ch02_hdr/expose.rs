@@ -41,6 +41,11 @@ impl Graded for Expose {
             answer: |q| Expose::answer(q).map(|v| v.clamp(0.0, 1.0)),
         },
         Mistake {
+            name: "multiplies by 1 plus the number of stops",
+            hint: "Two stops more: how many times as bright is the picture? And one stop less?",
+            answer: |q| q.radiance * (1.0 + q.stops),
+        },
+        Mistake {
             name: "adds the stops",
             hint: "Expose black: how bright is it afterwards?",
             answer: |q| q.radiance.map(|v| v + q.stops),

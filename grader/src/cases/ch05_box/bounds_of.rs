@@ -1,7 +1,7 @@
 //! `bounds_of`: random questions, judge and mistakes.
 
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
-use glam::Vec3;
+use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
@@ -65,6 +65,29 @@ impl Graded for BoundsOf {
                         min: min.min(*p),
                         max: Vec3::select(p.cmplt(min), max, max.max(*p)),
                     })
+            },
+        },
+        Mistake {
+            name: "compares absolute values",
+            hint: "Which is less: −3 or 1?",
+            answer: |q| {
+                let chosen = |is_nearer: bool, none: f32| {
+                    let of = |a: f32, b: f32| {
+                        if (b.abs() < a.abs()) == is_nearer {
+                            b
+                        } else {
+                            a
+                        }
+                    };
+                    let points = q.points.iter().copied();
+                    let point =
+                        points.reduce(|a, b| vec3(of(a.x, b.x), of(a.y, b.y), of(a.z, b.z)));
+                    point.unwrap_or(Vec3::splat(none))
+                };
+                Corners {
+                    min: chosen(true, f32::INFINITY),
+                    max: chosen(false, f32::NEG_INFINITY),
+                }
             },
         },
         Mistake {

@@ -72,6 +72,28 @@ impl Graded for MeshHit {
             answer: |q| hits(q).last(),
         },
         Mistake {
+            name: "returns the least distance with the number of the first triangle that is hit",
+            hint: "When a nearer triangle is hit, which two things change?",
+            answer: |q| {
+                let nearest = MeshHit::answer(q)?;
+                hits(q).next().map(|first| MeshHitAnswer {
+                    t: nearest.t,
+                    ..first
+                })
+            },
+        },
+        Mistake {
+            name: "returns the least distance with the number of the last triangle that is hit",
+            hint: "When a nearer triangle is hit, which two things change? And when a farther one is?",
+            answer: |q| {
+                let nearest = MeshHit::answer(q)?;
+                hits(q).last().map(|last| MeshHitAnswer {
+                    t: nearest.t,
+                    ..last
+                })
+            },
+        },
+        Mistake {
             name: "returns the farthest hit",
             hint: "Which of two opaque triangles hides the other?",
             answer: |q| hits(q).max_by(|a, b| a.t.total_cmp(&b.t)),

@@ -252,6 +252,17 @@ impl Graded for BvhBuild {
             },
         },
         Mistake {
+            name: "writes the number of a leaf's first box where its place in the order belongs",
+            hint: "A leaf's boxes stand side by side in the order: does `first` say where there, or which box of the question it is?",
+            answer: |q| {
+                let BvhBuildAnswer { mut nodes, order } = BvhBuild::answer(q);
+                for node in nodes.iter_mut().filter(|n| n.count > 0) {
+                    node.first = order[node.first as usize];
+                }
+                BvhBuildAnswer { nodes, order }
+            },
+        },
+        Mistake {
             name: "makes a leaf of all that a leaf can hold, without asking whether a cut is cheaper",
             hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
             answer: |q| built(q, ALL_CUTS, FITS),

@@ -141,6 +141,11 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.forgets_the_last = true),
         },
         Mistake {
+            name: "leaves out the first triangle of each leaf",
+            hint: "A leaf of one triangle: how often does your loop over its triangles go round?",
+            answer: |q| search(q, |how| how.forgets_the_first = true),
+        },
+        Mistake {
             name: "begins to count the tests at 1",
             hint: "A ray that misses all boxes: how many triangles does it test?",
             answer: |q| {

@@ -4,6 +4,7 @@ use super::{area, around, center, crowd, heaps, no_dearer};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
 use raybook_workbook::tree_rows::BoxRow;
 
@@ -95,6 +96,18 @@ fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
     Ok(side(left) + side(&right))
 }
 
+/// Whether along some axis no box of a side has its centre behind that of a box on the other side, but for rounding.
+fn is_a_left_side(q: &SahSplit, left: &[u32]) -> bool {
+    let all = 0..q.boxes.len() as u32;
+    let (left, right): (Vec<_>, Vec<_>) = all.partition(|i| left.contains(i));
+    (0..3).any(|axis| {
+        let place = |i: &u32| center(&q.boxes[*i as usize])[axis];
+        let last = left.iter().map(place).fold(f32::NEG_INFINITY, f32::max);
+        let first = right.iter().map(place).fold(f32::INFINITY, f32::min);
+        last - first <= judge::RELATIVE * last.abs().max(first.abs()).max(1.0)
+    })
+}
+
 impl Graded for SahSplit {
     fn random(rng: &mut Pcg) -> SahSplit {
         SahSplit { boxes: heaps(rng) }
@@ -112,7 +125,12 @@ impl Graded for SahSplit {
 
     fn judge(q: &SahSplit, golden: &Vec<u32>, got: &Vec<u32>) -> Verdict {
         let (best, cost) = (split_cost(q, golden)?, split_cost(q, got)?);
-        no_dearer("this split", cost, best, judge::RELATIVE)
+        no_dearer("this split", cost, best, judge::RELATIVE)?;
+        if is_a_left_side(q, got) {
+            Ok(())
+        } else {
+            Err("the cut is right, but the numbers are those of its right side".to_owned())
+        }
     }
 
     fn traits(q: &SahSplit, got: &Vec<u32>) -> Vec<f64> {
@@ -139,6 +157,11 @@ impl Graded for SahSplit {
             hint: "How often is each box appended to the left side?",
         },
         Flaw {
+            complaint: "those of its right side",
+            name: "returns the boxes on the right of the cut",
+            hint: "Which end of the sorted row is the left one: the one with the least coordinates, or the other?",
+        },
+        Flaw {
             complaint: "all boxes are on the same side",
             name: "puts all boxes on the same side",
             hint: "A split has two sides: which cuts do you try, and is one of them no cut at all?",
@@ -151,6 +174,15 @@ impl Graded for SahSplit {
     ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "returns the boxes on the right of the cut",
+            hint: "Which end of the sorted row is the left one: the one with the least coordinates, or the other?",
+            answer: |q| {
+                let left = SahSplit::answer(q);
+                let all = 0..q.boxes.len() as u32;
+                all.filter(|i| !left.contains(i)).collect()
+            },
+        },
         Mistake {
             name: "returns the first boxes in the order of the axis that was sorted last",
             hint: "The cheapest cut belongs to an axis: in which order are the boxes when you return those on its left?",

@@ -226,6 +226,43 @@ impl Graded for WideClosest {
             },
         },
         Mistake {
+            name: "counts a node for each child whose box is tested",
+            hint: "The boxes of all children of a node are tested at once: what is it that is opened?",
+            answer: |q| {
+                let found = with_tree(q, |tree| search::search(tree, &Node::Branch(0), |_| {}));
+                WideClosestAnswer {
+                    nodes: found.boxes,
+                    tests: found.tests,
+                    hit: found.hit,
+                }
+            },
+        },
+        Mistake {
+            name: "tests only the first triangle of each leaf",
+            hint: "A leaf of four triangles: how often does your loop over its triangles go round?",
+            answer: |q| search(q, |how| how.only_the_first = true),
+        },
+        Mistake {
+            name: "leaves out the first triangle of each leaf",
+            hint: "A leaf of one triangle: how often does your loop over its triangles go round?",
+            answer: |q| search(q, |how| how.forgets_the_first = true),
+        },
+        Mistake {
+            name: "tests no more triangles of a leaf after the first that is hit",
+            hint: "Two triangles of one leaf are hit: is the first that is tested the nearer one?",
+            answer: |q| search(q, |how| how.stops_in_leaf = true),
+        },
+        Mistake {
+            name: "counts only the triangles that are hit",
+            hint: "Does a test cost less if the ray misses the triangle?",
+            answer: |q| search(q, |how| how.counts_hits = true),
+        },
+        Mistake {
+            name: "looks at no more than the first of a node's children",
+            hint: "A node of eight children: how many boxes does your program test?",
+            answer: |q| search(q, |how| how.looks_at = 1),
+        },
+        Mistake {
             name: "tests triangles from 0 on, not from the interval's min on",
             hint: "A box may reach into the interval, and a triangle in it lie before: which distances count?",
             answer: |q| search(q, |how| how.tests_from_0 = true),

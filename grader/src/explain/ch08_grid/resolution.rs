@@ -36,11 +36,12 @@ impl Explained for GridResolution {
             }
             let along = way.vector("extent · cells per metre", "", along);
             let before = thick.len();
-            let thin = thick.iter().any(|&axis| along[axis] < 1.0);
+            let least = way.part("the one cell that an axis must get", 1.0);
+            let thin = thick.iter().any(|&axis| along[axis] < least);
             if !way.decides("an axis gets less than one cell", thin) {
                 break along;
             }
-            thick.retain(|&axis| along[axis] >= 1.0);
+            thick.retain(|&axis| along[axis] >= least);
             if thick.len() == before {
                 break along;
             }

@@ -8,6 +8,28 @@ use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 /// Whether a triangle meets the cell with this least corner and these extents, grown by a margin.
 type Meets = fn(&mut Way, [DVec3; 3], DVec3, DVec3, f64) -> bool;
 
+/// Tries all cells of the lattice.
+fn all_tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
+    let corners = [asked.p0, asked.p1, asked.p2].map(Vec3::as_dvec3);
+    let min = way.part("min", asked.min.as_dvec3());
+    let size = way.part("the extents of a cell", asked.cell.as_dvec3());
+    let margin = way.part("margin", f64::from(asked.margin));
+    let mut found = Vec::new();
+    for z in 0..asked.nz {
+        for y in 0..asked.ny {
+            for x in 0..asked.nx {
+                let cell = UVec3::new(x, y, z);
+                let place = way.part("the cell's numbers", cell.as_dvec3());
+                let low = way.part("a cell's least corner", min + place * size);
+                if meets(way, corners, low, size, margin) {
+                    found.push(Cell::from(cell));
+                }
+            }
+        }
+    }
+    found
+}
+
 /// Tries all cells that the triangle's own box reaches.
 fn tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
     let [p0, p1, p2] = [asked.p0, asked.p1, asked.p2].map(Vec3::as_dvec3);
@@ -51,7 +73,10 @@ fn tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
 
 /// By what the cell's box leaves of the triangle.
 fn by_clipping(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, margin: f64) -> bool {
-    let left = clipped(corners.to_vec(), low - margin, low + size + margin);
+    let size = way.part("from a cell's least corner to its greatest", size);
+    let below = way.part("the margin below a cell", margin);
+    let above = way.part("the margin above a cell", margin);
+    let left = clipped(corners.to_vec(), low - below, low + size + above);
     way.decides("the triangle reaches a cell of its box", !left.is_empty())
 }
 
@@ -65,11 +90,16 @@ fn by_directions(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, ma
     let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
     let mut parts = |along: DVec3| {
         let at = corners.map(|p| along.dot(p));
-        let reach = along.abs().dot(half);
+        let weights = way.made(
+            "to take the absolute values of a direction's components",
+            along,
+            along.abs(),
+        );
+        let reach = weights.dot(half);
         let least = at.into_iter().fold(f64::INFINITY, f64::min);
         let most = at.into_iter().fold(f64::NEG_INFINITY, f64::max);
-        let is_above = way.decides("all of the triangle lies above a cell", least > reach);
-        let is_below = way.decides("all of the triangle lies below a cell", most < -reach);
+        let is_above = way.is_less("all of the triangle lies above a cell", reach, least);
+        let is_below = way.is_less("all of the triangle lies below a cell", most, -reach);
         is_above || is_below
     };
     let by_faces = DVec3::AXES.map(&mut parts).contains(&true);
@@ -99,8 +129,12 @@ fn by_directions(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, ma
 }
 
 impl Explained for VoxelsOfTriangle {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Cell>] =
-        &[Self::work, |asked, way| tried(asked, way, by_directions)];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Cell>] = &[
+        Self::work,
+        |asked, way| tried(asked, way, by_directions),
+        |asked, way| all_tried(asked, way, by_clipping),
+        |asked, way| all_tried(asked, way, by_directions),
+    ];
 
     fn work(&self, way: &mut Way) -> Vec<Cell> {
         tried(self, way, by_clipping)

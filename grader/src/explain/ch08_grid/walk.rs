@@ -30,8 +30,12 @@ struct Start {
     cell: UVec3,
     /// 1 for each axis along which the next plane is the upper one of a cell, 0 where it is the lower one.
     ahead: DVec3,
-    /// Along each axis the number of the first cell that is no more in the lattice.
-    stop: DVec3,
+    /// What is added to the number of a cell along each axis: 1, or −1 where the ray goes backwards.
+    step: DVec3,
+    /// Along each axis the number of the first cell that is no more in the lattice, of a walk forward.
+    above: DVec3,
+    /// The same of a walk backwards.
+    below: DVec3,
 }
 
 impl Through {
@@ -63,7 +67,7 @@ impl Through {
             dvec2(enter, end),
         );
         let [enter, end] = both.to_array();
-        if way.decides("the ray leaves the lattice before it enters", end < enter) {
+        if way.is_less("the ray leaves the lattice before it enters", end, enter) {
             way.remark("It leaves before it enters: the ray misses the lattice.");
             return None;
         }
@@ -98,7 +102,8 @@ impl Start {
         let start = through.o + through.enter * through.d;
         let start = way.part("o + enter·d", start);
         let inside = way.part("o + enter·d − min", start - through.min);
-        let place = way.part("(o + enter·d − min)/cell", inside / through.size);
+        let size = way.part("cell in (o + enter·d − min)/cell", through.size);
+        let place = way.part("(o + enter·d − min)/cell", inside / size);
         let cell = through.cell(place);
         let is_backward = [0, 1, 2].map(|axis| through.backward(axis));
         let forward = DVec3::from(is_backward.map(|it| f64::from(u8::from(!it))));
@@ -114,26 +119,31 @@ impl Start {
             "the number at which the walk ends where the ray goes backwards",
             DVec3::NEG_ONE,
         );
-        let stop = forward * above + (1.0 - forward) * below;
+        let step = way.part(
+            "the step from cell to cell: 1, or −1 where the ray goes backwards",
+            2.0 * forward - 1.0,
+        );
         Some(Self {
             through,
             cell,
             ahead,
-            stop,
+            step,
+            above,
+            below,
         })
     }
 
     /// The next cell along an axis; none if the lattice ends there.
     fn next(&self, cell: UVec3, axis: usize) -> Option<UVec3> {
-        let mut next = cell;
-        let stop = self.stop[axis];
-        next[axis] = if self.through.backward(axis) {
-            let below = cell[axis].checked_sub(1);
-            below.filter(|at| f64::from(*at) > stop)?
+        let at = f64::from(cell[axis]) + self.step[axis];
+        let is_inside = if self.step[axis] < 0.0 {
+            at > self.below[axis] && at >= 0.0
         } else {
-            Some(cell[axis] + 1).filter(|at| f64::from(*at) < stop)?
+            at < self.above[axis]
         };
-        Some(next)
+        let mut next = cell;
+        next[axis] = at as u32;
+        is_inside.then_some(next)
     }
 }
 
@@ -161,18 +171,21 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
         "the numbers of the first planes",
         cell.as_dvec3() + start.ahead,
     );
-    let along = way.part("the number of the first plane · cell", plane * size);
+    let extents = way.part("cell in the first planes", size);
+    let along = way.part("the number of the first plane · cell", plane * extents);
     let min = way.part("min, where the planes begin", min);
     let plane = way.part("min + the number of the first plane · cell", min + along);
     let from = way.part("o, from where the first planes are measured", o);
     let ahead = way.part("how far the first planes are ahead", plane - from);
     let mut next = way.part("the first planes ahead, at t", met(ahead, d));
-    let apart = way.part("from plane to plane: cell/|d|", met(size, d.abs()));
+    let size = way.part("cell in cell/|d|", size);
+    let speed = way.made("to take the absolute value of d in cell/|d|", d, d.abs());
+    let apart = way.part("from plane to plane: cell/|d|", met(size, speed));
     let mut visits = Vec::new();
-    loop {
+    for _ in 0..most(asked) {
         next = way.part("the next planes ahead, at t", next);
         let nearest = way.part("the nearest of the next planes", next.min_element());
-        let is_beyond = way.decides("the way through the lattice ends in a cell", nearest > end);
+        let is_beyond = way.is_less("the way through the lattice ends in a cell", end, nearest);
         let leave = if is_beyond { end } else { nearest };
         let UVec3 { x, y, z } = cell;
         if leave > enter || !leaves_out {
@@ -182,9 +195,9 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
                 z,
                 leave: leave as f32,
             });
+            enter = leave;
         }
-        enter = leave;
-        if way.decides("the way through the lattice has ended", leave >= end) {
+        if way.is_at_most("the way through the lattice has ended", end, leave) {
             return visits;
         }
         let axis = next.min_position();
@@ -195,6 +208,12 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
         let step = way.part("the distance that is added", apart[axis]);
         next[axis] += step;
     }
+    visits
+}
+
+/// More cells than these no ray passes through.
+fn most(asked: &GridWalk) -> u32 {
+    asked.nx.saturating_add(asked.ny).saturating_add(asked.nz)
 }
 
 /// The same by the distances to all planes, sorted: between two of them lies a cell, in which their middle is.
@@ -259,7 +278,7 @@ impl Explained for GridWalk {
             (size / d).abs(),
         );
         let mut visits = Vec::new();
-        loop {
+        for _ in 0..most(self) {
             let plane = way.part(
                 "the numbers of the next planes",
                 cell.as_dvec3() + start.ahead,
@@ -276,7 +295,7 @@ impl Explained for GridWalk {
                 next,
             );
             let nearest = way.part("the nearest plane ahead", next.min_element());
-            let is_beyond = way.decides("the interval ends in a cell", nearest > limit);
+            let is_beyond = way.is_less("the interval ends in a cell", limit, nearest);
             let leave = if is_beyond { limit } else { nearest };
             visits.push(Visit {
                 x,
@@ -296,6 +315,7 @@ impl Explained for GridWalk {
             };
             cell = beyond;
         }
+        visits
     }
 
     fn draw(&self, right: &Vec<Visit>, yours: Option<&Vec<Visit>>) -> Option<Diagram> {

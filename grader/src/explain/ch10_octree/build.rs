@@ -68,9 +68,13 @@ impl Explained for OctreeBuild {
             let below = way.number("Σ nᵢ, those of its children", "", below.into());
             let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
             let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
-            let is_dear = way.decides("a cut costs no less than the leaf", cost >= n);
-            let is_many = way.decides("a cut makes too many copies", named > copies);
-            let is_deep = way.decides("the tree is as deep as it may be", depth >= self.depth);
+            let is_dear = way.is_at_most("a cut costs no less than the leaf", n, cost);
+            let is_many = way.is_less("a cut makes too many copies", copies, named);
+            let is_deep = way.is_at_most(
+                "the tree is as deep as it may be",
+                self.depth.into(),
+                depth.into(),
+            );
             let stop = if is_dear {
                 Some("That is not below n: it stays a leaf.")
             } else if is_many {
@@ -101,10 +105,8 @@ impl Explained for OctreeBuild {
                 count: 0,
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
-            let left = way.part(
-                "the copies that are left to a child",
-                copies / named.max(1.0),
-            );
+            let fewer = way.made("to divide the copies by 1 at least", named, named.max(1.0));
+            let left = way.part("the copies that are left to a child", copies / fewer);
             for child in (0..8).rev() {
                 let inside = shapes.iter().zip(&reach);
                 let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);

@@ -6,7 +6,7 @@ use crate::explain::diagram::{Diagram, Ink};
 use crate::explain::rays;
 use crate::explain::view::{View, middle, shrunk};
 use crate::explain::way::Way;
-use glam::{Vec3, dvec2};
+use glam::{DVec3, Vec3, dvec2};
 use raybook::inside::octree::child_cell;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
@@ -59,7 +59,60 @@ fn visit(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     }
 }
 
+/// The same in any order: the leaves in which the ray stays for a while, each with the middle of the stay.
+fn stays(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec<(f64, u32)>) {
+    let Some(row) = q.nodes.get(node) else {
+        return;
+    };
+    let begin = way.part("within.min", f64::from(q.within.min));
+    let end = way.part("within.max", f64::from(q.within.max));
+    let [min, max] = [cell.min, cell.max].map(Vec3::as_dvec3);
+    let inside = rays::clipped(rays::parts(&q.ray), [begin, end], min, max);
+    let Some([enter, leave]) = inside.filter(|[enter, leave]| leave - enter > TOUCH) else {
+        return;
+    };
+    if row.inner == 0 {
+        if way.is_less("a leaf has shapes", 0.0, row.count.into()) {
+            let number = way.part("the number of a leaf", node as f64);
+            let middle = 0.5 * (enter + leave);
+            let middle = way.made(
+                "to sort the leaves by where the ray is in them",
+                0.0,
+                middle,
+            );
+            found.push((middle, number as u32));
+        }
+        return;
+    }
+    for i in 0..8_usize {
+        let halves = DVec3::from([0, 1, 2].map(|axis| (i >> axis & 1) as f64));
+        let halves = way.part(
+            "a child's halves along (x, y, z): 0, or 1 for the upper one",
+            halves,
+        );
+        let weights = way.part("the weights of x, y and z", DVec3::new(1.0, 2.0, 4.0));
+        let first = way.part("the number of the first child", f64::from(row.first));
+        let number = way.part("a child's number", first + halves.dot(weights)) as usize;
+        if number > node {
+            stays(q, way, number, child_cell(&cell, i), found);
+        }
+    }
+}
+
+/// A ray that is no longer than this in a cell, in metres, only touches it.
+const TOUCH: f64 = 1e-9;
+
+/// The same, sorted at the end.
+fn by_sorting(q: &OctreeWalk, way: &mut Way) -> Vec<u32> {
+    let mut found = Vec::new();
+    stays(q, way, 0, Aabb::new(q.min, q.max), &mut found);
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    found.into_iter().map(|(_, number)| number).collect()
+}
+
 impl Explained for OctreeWalk {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<u32>] = &[Self::work, by_sorting];
+
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let mut found = Vec::new();
         visit(self, way, 0, Aabb::new(self.min, self.max), &mut found);

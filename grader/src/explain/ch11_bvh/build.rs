@@ -23,14 +23,15 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
     };
     let whole = way.part("the area of a node's box", area([min, max]));
     // Both sides are reckoned as leaves here: as a rule it is right, and cheap.
-    let saves = cut
-        .as_ref()
-        .is_some_and(|cut| whole + cut.cost < n as f64 * whole);
-    let saves = way.decides("a cut is cheaper than the leaf", saves);
-    let is_full = way.decides(
-        "a leaf would have more boxes than `most`",
-        n > q.most as usize,
+    let branch = way.part("the cost of opening a branch, times its area", whole);
+    let sides = cut.as_ref().map_or(f64::INFINITY, |cut| cut.cost);
+    let leaf = way.part(
+        "the cost of the leaf: its area times its number",
+        n as f64 * whole,
     );
+    let saves = way.is_less("a cut is cheaper than the leaf", branch + sides, leaf);
+    let most = way.part("most", q.most.into());
+    let is_full = way.is_less("a leaf would have more boxes than `most`", most, n as f64);
     let Some(cut) = cut.filter(|_| saves || is_full) else {
         way.remark("A leaf: a cut would cost the branch, and save no more.");
         tree.nodes[node] = NodeRow {

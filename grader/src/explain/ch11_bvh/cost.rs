@@ -19,6 +19,7 @@ fn area_by_steps(way: &mut Way, row: &NodeRow) -> f64 {
     let xy = way.part("x · y", x * y);
     let yz = way.part("y · z", y * z);
     let zx = way.part("z · x", z * x);
+    way.part("x · y · z, the volume", xy * z);
     let half = way.part("x · y + y · z + z · x", xy + yz + zx);
     way.part("a node's area", 2.0 * half)
 }
@@ -60,14 +61,15 @@ impl Explained for SahCost {
             .first()
             .map_or(0.0, |root| area_by_steps(way, root));
         let of_root = way.number("the area of the root's box", "m²", of_root);
-        if way.decides("the root's box has no area", of_root == 0.0) {
+        if way.is_zero("the root's box has no area", of_root) {
             way.remark("There is nothing to be searched.");
             return 0.0;
         }
-        let mut cost = 0.0;
+        let mut cost = way.part("what the sum begins with", 0.0);
         for (i, row) in self.nodes.iter().enumerate() {
             let of_node = area_by_steps(way, row);
-            let is_branch = way.decides("a node is a branch", row.count == 0);
+            let of_node = way.part("the area of a node in the sum", of_node);
+            let is_branch = way.is_zero("a node is a branch", row.count.into());
             let of_node = if is_branch {
                 way.part("a branch's area", of_node)
             } else {

@@ -42,14 +42,18 @@ fn cut_along(way: &mut Way, boxes: &[BoxRow], some: &[u32], axis: usize) -> Opti
     keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
     sorted.clear();
     sorted.extend(keyed.iter().map(|(_, i)| i));
-    let mut cost = |side: &[u32]| {
-        let of_side = way.part("the area of a side's box", area(around(boxes, side)));
-        let count = way.part("a side's number of boxes", side.len() as f64);
-        way.part("a side's area times its number", of_side * count)
-    };
     let cuts = (1..sorted.len()).map(|i| {
         let (left, right) = sorted.split_at(i);
-        (i, cost(left) + cost(right))
+        let of_left = way.part("the area of the left side's box", area(around(boxes, left)));
+        let of_right = way.part(
+            "the area of the right side's box",
+            area(around(boxes, right)),
+        );
+        let left = way.part("the left side's number of boxes", left.len() as f64);
+        let right = way.part("the right side's number of boxes", right.len() as f64);
+        let left = way.part("the left side's area times its number", of_left * left);
+        let right = way.part("the right side's area times its number", of_right * right);
+        (i, way.part("the sum of both sides", left + right))
     });
     let (i, cost) = cuts.min_by(|a, b| a.1.total_cmp(&b.1))?;
     let right = sorted.split_off(i);

@@ -22,12 +22,6 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
         }
     }
     found.retain(Found::holds);
-    if std::env::var("RB_DEBUG").is_ok() {
-        found.sort_by_key(Found::key);
-        for one in found.iter().take(12) {
-            eprintln!("{:?} {} {:?}", evidence.scope, one.name, one.score);
-        }
-    }
     best(found)
 }
 

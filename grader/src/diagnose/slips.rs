@@ -7,10 +7,11 @@ use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::{Decision, Operation, Step, Way};
+use crate::explain::way::{Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
+use std::ops::Range;
 
 /// What is often made of a value of a certain size.
 struct Common {
@@ -168,6 +169,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     let mut steps: Vec<(Step, &str)> = Vec::new();
     let mut decisions = Vec::new();
     let mut operations = Vec::new();
+    let mut loops = Vec::new();
     let mut length = 0;
     for item in &evidence.items {
         let mut way = Way::default();
@@ -191,6 +193,11 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 .any(|one: &Decision| one.place == decision.place)
             {
                 decisions.push(decision);
+            }
+        }
+        for one in walked.loops {
+            if !loops.contains(&one) {
+                loops.push(one);
             }
         }
         for operation in walked.operations {
@@ -285,6 +292,12 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             }
         }
     }
+    for Loop { name, place } in loops {
+        for (rank, what, of) in ROUNDS {
+            let slip = Slip::Rounds(place, *of);
+            add(format!("{what} {name}"), FORGOTTEN, *rank, slip);
+        }
+    }
     for Operation { name, place } in operations {
         add(
             format!("forgets {name}"),
@@ -295,6 +308,19 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     }
     all
 }
+
+/// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
+const ROUNDS: &[(u32, &str, fn(Range<usize>) -> Range<usize>)] = &[
+    (9, "leaves out the last of", |all| {
+        all.start..all.end.max(1) - 1
+    }),
+    (9, "leaves out the first of", |all| {
+        (all.start + 1).min(all.end)..all.end
+    }),
+    (10, "ends after the first of", |all| {
+        all.start..all.end.min(1)
+    }),
+];
 
 /// Thresholds that people write for 0; of those that explain the answers the largest is told.
 const NEAR: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];

@@ -62,7 +62,7 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
     let (o, d) = rays::parts(&q.ray);
     let mut enter = way.part("within.min", f64::from(q.within.min));
     let mut leave = way.part("within.max", f64::from(q.within.max));
-    for axis in 0..3 {
+    for axis in way.rounds("the axes", 3) {
         let start = way.part("the start's coordinate", o[axis]);
         let speed = way.part("the direction's component", d[axis]);
         let low = way.part("the box's least coordinate", f64::from(q.min[axis]));

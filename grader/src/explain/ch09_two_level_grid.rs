@@ -31,6 +31,7 @@ fn cell_by_cell(q: &RefineCell, way: &mut Way) -> RefineCellAnswer {
         let high = way.part("a fine cell's greatest corner", low + size);
         for (shape, box_of) in (0..).zip(&q.shapes) {
             let [first, last] = [box_of.min, box_of.max].map(Vec3::as_dvec3);
+            let mut axes = way.rounds("the axes", 3);
             let reaches = |axis: usize| {
                 way.is_at_most(
                     "a shape begins before a fine cell's end",
@@ -42,7 +43,7 @@ fn cell_by_cell(q: &RefineCell, way: &mut Way) -> RefineCellAnswer {
                     last[axis],
                 )
             };
-            if (0..3).all(reaches) {
+            if axes.all(reaches) {
                 let UVec3 { x, y, z } = at;
                 entries.push(Entry { x, y, z, shape });
             }

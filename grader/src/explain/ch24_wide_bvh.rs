@@ -107,7 +107,7 @@ impl Search<'_> {
             row.children.len()
         ));
         let mut met = Vec::new();
-        for child in &row.children {
+        for child in &row.children[way.rounds("a node's children", row.children.len())] {
             let enter = enters(
                 &q.ray,
                 q.within,
@@ -143,7 +143,7 @@ impl Search<'_> {
             return;
         };
         self.leaves.push(leaf);
-        for &id in &row.triangles {
+        for &id in &row.triangles[way.rounds("a leaf's triangles", row.triangles.len())] {
             let Some(triangle) = q.triangles.get(id as usize) else {
                 continue;
             };

@@ -1,5 +1,6 @@
 //! Slips: at one step something else is written down than the right value, and all that follows is calculated with it.
 
+use std::ops::Range;
 use std::panic::{Location, resume_unwind};
 
 /// The place of a step in the way to an answer: that of its line in the file of its chapter.
@@ -109,6 +110,8 @@ pub enum Slip {
     Tie(Place),
     /// An operation is forgotten.
     Forgotten(Place),
+    /// A loop goes through other rounds.
+    Rounds(Place, fn(Range<usize>) -> Range<usize>),
 }
 
 impl Slip {
@@ -122,7 +125,8 @@ impl Slip {
             | Self::Decision(at, _)
             | Self::Near(at, _)
             | Self::Tie(at)
-            | Self::Forgotten(at) => at,
+            | Self::Forgotten(at)
+            | Self::Rounds(at, _) => at,
         }
     }
 

@@ -3,6 +3,7 @@
 use super::slip::{Comparison, Place, Slip, end_if_endless};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
+use std::ops::Range;
 
 /// A step: a value by name; or a remark, which has no value.
 #[derive(Clone, Debug, PartialEq)]
@@ -82,6 +83,15 @@ pub struct Operation {
     pub place: Place,
 }
 
+/// A loop, whose rounds may be too few.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Loop {
+    /// What it goes through: "the axes".
+    pub name: &'static str,
+    /// Where it begins.
+    pub place: Place,
+}
+
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
 #[derive(Debug, Default)]
 pub struct Way {
@@ -89,6 +99,7 @@ pub struct Way {
     untold: Vec<Step>,
     decisions: Vec<Decision>,
     operations: Vec<Operation>,
+    loops: Vec<Loop>,
     slips: [Option<Slip>; 2],
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
@@ -110,6 +121,8 @@ pub struct Walked {
     pub decisions: Vec<Decision>,
     /// The operations that may be forgotten: at each place the first.
     pub operations: Vec<Operation>,
+    /// The loops: at each place the first.
+    pub loops: Vec<Loop>,
     /// The number of steps and decisions, told or not, at all places.
     pub length: usize,
 }
@@ -279,6 +292,21 @@ impl Way {
         }
     }
 
+    /// The rounds of a loop through this number of things, "the axes": 0, 1, 2 and so on.
+    #[track_caller]
+    pub fn rounds(&mut self, name: &'static str, count: usize) -> Range<usize> {
+        let place = Place::here();
+        self.count();
+        if !self.loops.iter().any(|one| one.place == place) {
+            self.loops.push(Loop { name, place });
+        }
+        let slips = self.slips.iter().flatten();
+        slips.fold(0..count, |rounds, slip| match slip {
+            Slip::Rounds(at, of) if *at == place => of(rounds),
+            _ => rounds,
+        })
+    }
+
     /// Calculates what is not told.
     pub fn silently<R>(&mut self, calculate: impl FnOnce(&mut Self) -> R) -> R {
         let told = self.steps.len();
@@ -338,6 +366,7 @@ impl Way {
             untold: self.untold,
             decisions: self.decisions,
             operations: self.operations,
+            loops: self.loops,
             length: self.calculated,
         }
     }

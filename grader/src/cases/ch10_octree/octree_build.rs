@@ -290,6 +290,14 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
+            name: "does not write the names of a leaf's shapes into the list",
+            hint: "A leaf says where its names begin, and how many they are: which line of yours writes them there?",
+            answer: |q| TreeRow {
+                names: Vec::new(),
+                ..built(q, |l| l, reached)
+            },
+        },
+        Mistake {
             name: "never cuts",
             hint: "What does a ray gain from a tree that is a single leaf? If your rule never allows a cut: which share of a child's shapes does a ray test?",
             answer: |q| built(q, |l| Limits { depth: 0, ..l }, reached),

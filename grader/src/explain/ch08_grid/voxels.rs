@@ -15,10 +15,10 @@ fn all_tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell>
     let size = way.part("the extents of a cell", asked.cell.as_dvec3());
     let margin = way.part("margin", f64::from(asked.margin));
     let mut found = Vec::new();
-    for z in 0..asked.nz {
-        for y in 0..asked.ny {
-            for x in 0..asked.nx {
-                let cell = UVec3::new(x, y, z);
+    for z in way.rounds("the cells along z", asked.nz as usize) {
+        for y in way.rounds("the cells along y", asked.ny as usize) {
+            for x in way.rounds("the cells along x", asked.nx as usize) {
+                let cell = UVec3::new(x as u32, y as u32, z as u32);
                 let place = way.part("the cell's numbers", cell.as_dvec3());
                 let low = way.part("a cell's least corner", min + place * size);
                 if meets(way, corners, low, size, margin) {

@@ -225,8 +225,11 @@ fn by_sorting(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
     let from = way.part("min, where the planes begin", min);
     let mut planes = vec![through.enter, through.end];
     for axis in (0..3).filter(|axis| d[*axis] != 0.0) {
-        for i in 0..=through.count[axis] {
-            let plane = from[axis] + f64::from(i) * through.size[axis];
+        for i in way.rounds(
+            "the planes across an axis",
+            through.count[axis] as usize + 1,
+        ) {
+            let plane = from[axis] + i as f64 * through.size[axis];
             let plane = way.part("min + i·cell", plane);
             let t = way.part("t of a plane", (plane - o[axis]) / d[axis]);
             if through.enter < t && t < through.end {

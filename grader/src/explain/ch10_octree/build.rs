@@ -68,6 +68,7 @@ impl Explained for OctreeBuild {
             let below = way.number("Σ nᵢ, those of its children", "", below.into());
             let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
             let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
+            let lowers = way.part("Σ nᵢ/n, by which the copies are lowered", below / n);
             let is_dear = way.is_at_most("a cut costs no less than the leaf", n, cost);
             let is_many = way.is_less("a cut makes too many copies", copies, named);
             let is_deep = way.is_at_most(
@@ -105,7 +106,11 @@ impl Explained for OctreeBuild {
                 count: 0,
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
-            let fewer = way.made("to divide the copies by 1 at least", named, named.max(1.0));
+            let fewer = way.made(
+                "to divide the copies by 1 at least",
+                lowers,
+                lowers.max(1.0),
+            );
             let left = way.part("the copies that are left to a child", copies / fewer);
             for child in (0..8).rev() {
                 let inside = shapes.iter().zip(&reach);

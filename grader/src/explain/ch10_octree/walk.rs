@@ -6,7 +6,7 @@ use crate::explain::diagram::{Diagram, Ink};
 use crate::explain::rays;
 use crate::explain::view::{View, middle, shrunk};
 use crate::explain::way::Way;
-use glam::{DVec3, Vec3, dvec2};
+use glam::{BVec3, DVec3, Vec3, dvec2};
 use raybook::inside::octree::child_cell;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
@@ -53,26 +53,32 @@ fn visit(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     let mirror = backward.fold(0, |bits, axis| bits | 1 << axis);
     let mirrored = way.decides("the ray moves down along an axis", mirror != 0);
     let mirror = if mirrored { mirror } else { 0 };
-    for i in 0..8 {
+    for i in way.rounds("a node's children, in the order of the ray", 8) {
         let child = i ^ mirror;
         visit(q, way, first + child, child_cell(&cell, child), found);
     }
 }
 
 /// The same in any order: the leaves in which the ray stays for a while, each with the middle of the stay.
-fn stays(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec<(f64, u32)>) {
+fn stays(
+    q: &OctreeWalk,
+    way: &mut Way,
+    node: usize,
+    [min, max]: [DVec3; 2],
+    found: &mut Vec<(f64, u32)>,
+) {
     let Some(row) = q.nodes.get(node) else {
         return;
     };
     let begin = way.part("within.min", f64::from(q.within.min));
     let end = way.part("within.max", f64::from(q.within.max));
-    let [min, max] = [cell.min, cell.max].map(Vec3::as_dvec3);
     let inside = rays::clipped(rays::parts(&q.ray), [begin, end], min, max);
     let Some([enter, leave]) = inside.filter(|[enter, leave]| leave - enter > TOUCH) else {
         return;
     };
     if row.inner == 0 {
-        if way.is_less("a leaf has shapes", 0.0, row.count.into()) {
+        let empty = way.part("the number of shapes of an empty leaf", 0.0);
+        if way.is_less("a leaf has shapes", empty, row.count.into()) {
             let number = way.part("the number of a leaf", node as f64);
             let middle = 0.5 * (enter + leave);
             let middle = way.made(
@@ -84,7 +90,9 @@ fn stays(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
         }
         return;
     }
-    for i in 0..8_usize {
+    let middle = way.part("a cell's middle", 0.5 * (min + max));
+    way.part("half of a cell's extents", 0.5 * (max - min));
+    for i in way.rounds("a node's children", 8) {
         let halves = DVec3::from([0, 1, 2].map(|axis| (i >> axis & 1) as f64));
         let halves = way.part(
             "a child's halves along (x, y, z): 0, or 1 for the upper one",
@@ -93,8 +101,13 @@ fn stays(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
         let weights = way.part("the weights of x, y and z", DVec3::new(1.0, 2.0, 4.0));
         let first = way.part("the number of the first child", f64::from(row.first));
         let number = way.part("a child's number", first + halves.dot(weights)) as usize;
+        let above = BVec3::new(i & 1 != 0, i & 2 != 0, i & 4 != 0);
+        let part = [
+            DVec3::select(above, middle, min),
+            DVec3::select(above, max, middle),
+        ];
         if number > node {
-            stays(q, way, number, child_cell(&cell, i), found);
+            stays(q, way, number, part, found);
         }
     }
 }
@@ -105,7 +118,8 @@ const TOUCH: f64 = 1e-9;
 /// The same, sorted at the end.
 fn by_sorting(q: &OctreeWalk, way: &mut Way) -> Vec<u32> {
     let mut found = Vec::new();
-    stays(q, way, 0, Aabb::new(q.min, q.max), &mut found);
+    let root = [q.min, q.max].map(Vec3::as_dvec3);
+    stays(q, way, 0, root, &mut found);
     found.sort_by(|a, b| a.0.total_cmp(&b.0));
     found.into_iter().map(|(_, number)| number).collect()
 }

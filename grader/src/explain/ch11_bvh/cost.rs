@@ -66,7 +66,8 @@ impl Explained for SahCost {
             return 0.0;
         }
         let mut cost = way.part("what the sum begins with", 0.0);
-        for (i, row) in self.nodes.iter().enumerate() {
+        for i in way.rounds("the nodes", self.nodes.len()) {
+            let row = &self.nodes[i];
             let of_node = area_by_steps(way, row);
             let of_node = way.part("the area of a node in the sum", of_node);
             let is_branch = way.is_zero("a node is a branch", row.count.into());

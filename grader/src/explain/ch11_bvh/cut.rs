@@ -42,7 +42,9 @@ fn cut_along(way: &mut Way, boxes: &[BoxRow], some: &[u32], axis: usize) -> Opti
     keyed.sort_by(|a, b| a.0.total_cmp(&b.0));
     sorted.clear();
     sorted.extend(keyed.iter().map(|(_, i)| i));
-    let cuts = (1..sorted.len()).map(|i| {
+    let cuts = way.rounds("the cuts along an axis", sorted.len().max(1) - 1);
+    let cuts = cuts.map(|before| {
+        let i = before + 1;
         let (left, right) = sorted.split_at(i);
         let of_left = way.part("the area of the left side's box", area(around(boxes, left)));
         let of_right = way.part(
@@ -67,15 +69,17 @@ fn cut_along(way: &mut Way, boxes: &[BoxRow], some: &[u32], axis: usize) -> Opti
 
 /// The cheapest cut of some boxes along any axis, the steps to it written down.
 pub fn best_cut(way: &mut Way, boxes: &[BoxRow], some: &[u32]) -> Option<Cut> {
-    let mut cuts = [0, 1, 2].map(|axis| way.silently(|way| cut_along(way, boxes, some, axis)));
-    for cut in cuts.iter_mut().flatten() {
+    let axes = way.rounds("the axes", 3);
+    let cuts = axes.map(|axis| way.silently(|way| cut_along(way, boxes, some, axis)));
+    let mut cuts: Vec<_> = cuts.flatten().collect();
+    for cut in &mut cuts {
         let (name, left, right) = (AXES[cut.axis], cut.left.len(), cut.right.len());
         let words = format!(
             "the best along {name}, {left} on the left and {right} on the right: areas times numbers"
         );
         cut.cost = way.number(words, "m²", cut.cost);
     }
-    let best = cuts.into_iter().flatten();
+    let best = cuts.into_iter();
     best.min_by(|a, b| a.cost.total_cmp(&b.cost))
 }
 

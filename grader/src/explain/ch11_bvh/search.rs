@@ -29,7 +29,9 @@ impl Search<'_> {
                 "Node {node} is a leaf with {} of the triangles.",
                 row.count
             ));
-            for id in row.first..last.min(self.q.triangles.len() as u32) {
+            let end = last.min(self.q.triangles.len() as u32).max(row.first);
+            for place in way.rounds("a leaf's triangles", (end - row.first) as usize) {
+                let id = row.first + place as u32;
                 let triangle = &self.q.triangles[id as usize];
                 let corners = [triangle.p0, triangle.p1, triangle.p2];
                 let (name, asked) = (format!("triangle {id}"), (&self.q.ray, self.q.within));
@@ -38,7 +40,9 @@ impl Search<'_> {
             return;
         }
         let mut below = Vec::new();
-        for child in children(row) {
+        let children = children(row);
+        for place in way.rounds("a branch's children", children.len()) {
+            let child = children[place];
             let Some(row) = self.q.nodes.get(child).filter(|_| child > node) else {
                 continue;
             };

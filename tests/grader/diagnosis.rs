@@ -2,6 +2,7 @@
 
 mod flaws;
 mod guesses;
+mod habits;
 mod mistakes;
 mod operations;
 mod panics;

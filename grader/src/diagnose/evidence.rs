@@ -270,9 +270,17 @@ impl<'a> Evidence<'a> {
     /// Whether right answers are the reference's own, as those of a method that goes the same way: then wrong ones are those of a
     /// mistake to the last digits, or not its own at all.
     pub fn goes_the_same_way(&self) -> bool {
+        self.goes_as(|item| Some(item.golden().to_vec()))
+    }
+
+    /// Whether most right answers are the same as these.
+    pub fn goes_as(&self, answer: impl Fn(&Item) -> Option<Vec<f64>>) -> bool {
         let right = &self.items[self.wrong..];
-        let same = right.iter().filter(|item| self.alike(item, item.golden()));
-        2 * same.count() > right.len()
+        let is_same = |item: &&Item| {
+            let answer = answer(item);
+            answer.is_some_and(|one| self.alike(item, &self.canonical(&item.question, &one)))
+        };
+        2 * right.iter().filter(is_same).count() > right.len()
     }
 
     /// The first wrong items; none if nothing is wrong.

@@ -68,7 +68,6 @@ functions! {
     11 Number "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
     12 Number "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
     12 Number "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
-    13 Number "rounds the answer down to a whole number and adds 1", "Is the answer to be rounded down, up, or to the nearest whole number? What does yours make of 2, and of 2.4?": |v| v.floor() + 1.0;
     12 Number "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
     12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
     12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();

@@ -5,7 +5,7 @@ use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::Misreading;
 use super::pairs::{both, pairs};
-use super::slips::slipped;
+use super::slips::{goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
@@ -128,11 +128,14 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
 /// make a structure, and several slips the same one, so it is never certain.
 pub fn slip_of_structure(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     // Where none is right, it shows in the wrong ones: to the last digits they are those of the slip.
-    let is_known = evidence.wrong < evidence.items.len();
-    if evidence.is_judged() || is_known && !evidence.goes_the_same_way() {
+    if evidence.is_judged() {
         return None;
     }
     let short = evidence.of_short()?;
+    let is_known = evidence.wrong < evidence.items.len();
+    if is_known && !evidence.goes_the_same_way() && !goes_a_known_way(&short) {
+        return None;
+    }
     let mut found = Vec::new();
     by_slips(&short, MOST, &mut found);
     let found = best(found).filter(|one| one.score.contradicted == 0)?;

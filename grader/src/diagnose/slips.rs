@@ -154,6 +154,17 @@ impl Slipped {
 /// No more steps than these, in all questions, are tried with slips: an estimate has a thousand times as many as a formula.
 const LONG: usize = 300_000;
 
+/// Whether most right answers are those of one of the ways that are known.
+pub fn goes_a_known_way(evidence: &Evidence<'_>) -> bool {
+    let goes = |explainer: &Explainer, number: usize| {
+        evidence.goes_as(|item| {
+            attempt(|| (explainer.work)(number, &item.question, &mut Way::default()))
+        })
+    };
+    let explainer = find(evidence.examiner.asked().name);
+    explainer.is_some_and(|of| (0..of.ways).any(|number| goes(of, number)))
+}
+
 /// Every way to the answers with every slip that its steps allow in these questions.
 pub fn slipped(evidence: &Evidence<'_>) -> Vec<Slipped> {
     let Some(explainer) = find(evidence.examiner.asked().name) else {

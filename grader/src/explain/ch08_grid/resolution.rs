@@ -47,6 +47,7 @@ impl Explained for GridResolution {
             }
             way.remark("An axis gets less than one cell: it has 1, and is left out of the volume.");
         };
+        let along = way.part("the same before it is rounded", along);
         way.vector("rounded, and 1 at least", "", along.round().max(DVec3::ONE))
             .as_uvec3()
             .into()

@@ -1,0 +1,117 @@
+//! Slips that people make at any comparison, loop or operation are named in every exercise whose steps have one.
+
+use super::operations::{diagnosed, found};
+use glam::{DVec3, UVec3};
+use raybook_grader::cases;
+
+/// The right answer to a question.
+fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
+    let examiner = cases::find(exercise).expect("the exercise exists");
+    (examiner.asked().call)(question)
+}
+
+#[test]
+fn less_for_less_or_equal_is_named() {
+    // Coarse cells of a single fine cell are left out.
+    let found = diagnosed("two_level_walk", |q| {
+        let (mut first, mut alone) = (0.0, Vec::new());
+        for n in q[18..].chunks_exact(3) {
+            let count = n[0] * n[1] * n[2];
+            if count == 1.0 {
+                alone.push(first);
+            }
+            first += count;
+        }
+        let mut places = right("two_level_walk", q).split_off(1);
+        places.retain(|place| !alone.contains(place));
+        places.insert(0, places.len() as f64);
+        Some(places)
+    });
+    let told = "decides wrongly where both sides are equal whether a coarse cell is empty: < stands for ≤, or ≤ for <";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_threshold_for_0_is_named() {
+    let found = diagnosed("triangle_normal", |q| {
+        let [p0, p1, p2] = [0, 3, 6].map(|from| DVec3::from_slice(&q[from..]));
+        let is_small = (p1 - p0).cross(p2 - p0).length() < 1e-2;
+        Some(if is_small {
+            vec![0.0]
+        } else {
+            right("triangle_normal", q)
+        })
+    });
+    let told = "takes a difference of less than 0.01 for none when it decides whether the triangle has no area";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn an_operation_that_is_forgotten_is_named() {
+    let found = diagnosed("voxels_of_triangle", |q| Some(voxels(q)));
+    let told = "forgets to take the absolute values of a direction's components";
+    assert_eq!(found.name, told);
+}
+
+/// The cells that no direction parts from a triangle (Akenine-Möller 2001), with a cell's reach along a direction that is not made positive.
+fn voxels(q: &[f64]) -> Vec<f64> {
+    let [min, size] = [0, 3].map(|from| DVec3::from_slice(&q[from..]));
+    let corners = [10, 13, 16].map(|from| DVec3::from_slice(&q[from..]));
+    let half = 0.5 * size + q[9];
+    let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
+    let across = edges
+        .iter()
+        .flat_map(|e| DVec3::AXES.map(|axis| axis.cross(*e)));
+    let directions = DVec3::AXES.into_iter().chain([edges[0].cross(edges[1])]);
+    let directions: Vec<_> = directions.chain(across).collect();
+    let mut cells = vec![0.0];
+    for x in 0..q[6] as u32 {
+        for y in 0..q[7] as u32 {
+            for z in 0..q[8] as u32 {
+                let at = UVec3::new(x, y, z).as_dvec3();
+                let middle = min + (at + 0.5) * size;
+                let is_parted = directions.iter().any(|along| {
+                    let places = corners.map(|p| along.dot(p - middle));
+                    let reach = along.dot(half);
+                    places.iter().all(|v| *v > reach) || places.iter().all(|v| *v < -reach)
+                });
+                if !is_parted {
+                    cells.extend(at.to_array());
+                    cells[0] += 1.0;
+                }
+            }
+        }
+    }
+    cells
+}
+
+#[test]
+fn a_loop_that_ends_too_early_is_named() {
+    let found = diagnosed("sah_cost", |q| {
+        let nodes: Vec<_> = q[3..].chunks_exact(8).collect();
+        let area = |n: &[f64]| {
+            let [x, y, z] = [0, 1, 2].map(|axis| n[axis + 3] - n[axis]);
+            x * y + y * z + z * x
+        };
+        let price = |n: &&[f64]| area(n) * if n[7] == 0.0 { q[0] } else { n[7] * q[1] };
+        let sum: f64 = nodes[..nodes.len() - 1].iter().map(price).sum();
+        Some(vec![sum / area(nodes[0])])
+    });
+    assert_eq!(found.name, "leaves out the last of the nodes");
+}
+
+#[test]
+fn a_logarithm_to_another_base_is_named() {
+    let found = diagnosed("expose", |q| {
+        let factor = (q[3] * 2_f64.log10()).exp();
+        Some(q[..3].iter().map(|v| factor * v).collect())
+    });
+    let told = "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e";
+    assert!(found.name.ends_with(told), "{}", found.name);
+}
+
+#[test]
+fn of_nan_no_function_is_told() {
+    let found = found("fresnel", |_| Some(vec![f64::NAN; 3])).expect("it has a name");
+    assert!(found.name.contains("NaN"), "{}", found.name);
+}

@@ -6,12 +6,11 @@ mod operands;
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
-use crate::explain::slip::{Change, Slip};
+use crate::explain::slip::{Change, Rounds, Slip};
 use crate::explain::way::{Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
-use std::ops::Range;
 
 /// What is often made of a value of a certain size.
 struct Common {
@@ -174,13 +173,19 @@ pub fn slipped(evidence: &Evidence<'_>) -> Vec<Slipped> {
     (0..explainer.ways).flat_map(of_way).collect()
 }
 
-/// Every slip that the steps of one way allow in these questions.
-fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Slipped> {
-    // Each with what leads on.
-    let mut steps: Vec<(Step, &str)> = Vec::new();
-    let mut decisions = Vec::new();
-    let mut operations = Vec::new();
-    let mut loops = Vec::new();
+/// What a way comes by in these questions: at each place the first.
+#[derive(Default)]
+struct Passed {
+    /// Each with what leads on.
+    steps: Vec<(Step, &'static str)>,
+    decisions: Vec<Decision>,
+    operations: Vec<Operation>,
+    loops: Vec<Loop>,
+}
+
+/// None if the way is too long.
+fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Option<Passed> {
+    let mut passed = Passed::default();
     let mut length = 0;
     for item in &evidence.items {
         let mut way = Way::default();
@@ -188,35 +193,43 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         let walked = way.end();
         length += walked.length;
         if length > LONG {
-            return Vec::new();
+            return None;
         }
         let of_told = if number == 0 { TOLD } else { BY_HAND };
         let told = walked.steps.into_iter().map(|step| (step, of_told));
         let untold = walked.untold.into_iter().map(|step| (step, BY_HAND));
         for (step, hint) in told.chain(untold) {
-            if !step.value.is_empty() && !steps.iter().any(|(one, _)| one.place == step.place) {
-                steps.push((step, hint));
+            let mut known = passed.steps.iter();
+            if !step.value.is_empty() && !known.any(|(one, _)| one.place == step.place) {
+                passed.steps.push((step, hint));
             }
         }
         for decision in walked.decisions {
-            if !decisions
-                .iter()
-                .any(|one: &Decision| one.place == decision.place)
-            {
-                decisions.push(decision);
+            let mut known = passed.decisions.iter();
+            if !known.any(|one| one.place == decision.place) {
+                passed.decisions.push(decision);
+            }
+        }
+        for one in walked.operations {
+            if !passed.operations.contains(&one) {
+                passed.operations.push(one);
             }
         }
         for one in walked.loops {
-            if !loops.contains(&one) {
-                loops.push(one);
-            }
-        }
-        for operation in walked.operations {
-            if !operations.contains(&operation) {
-                operations.push(operation);
+            if !passed.loops.contains(&one) {
+                passed.loops.push(one);
             }
         }
     }
+    Some(passed)
+}
+
+/// Every slip that the steps of one way allow in these questions.
+fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) -> Vec<Slipped> {
+    let Some(passed) = passed(explainer, number, evidence) else {
+        return Vec::new();
+    };
+    let steps = &passed.steps;
     let mut all = Vec::new();
     let mut add = |name, hint: &str, rank, slip| {
         all.push(Slipped {
@@ -235,7 +248,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
-    for (step, hint) in &steps {
+    for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
         let changes = changes(step, has_angles).filter(|(_, _, rank, _)| *rank <= rarest);
@@ -246,7 +259,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         }
         let stale = format!("takes for “{name}” the value of the round before");
         add(stale, ROUND, 12, Slip::Stale(at));
-        for (other, _) in &steps {
+        for (other, _) in steps {
             let fits = [1, step.value.len()].contains(&other.value.len());
             if other.place != at && fits {
                 let of = short(other);
@@ -273,14 +286,18 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         );
         add(name, hint, operation.rank, operation.slip);
     }
-    for Decision {
-        name,
-        place,
-        compares,
-        ..
-    } in decisions
-    {
-        let mut add = |name, rank, slip| add(name, CONDITION, rank, slip);
+    for (name, hint, rank, slip) in branches(&passed) {
+        add(name, hint, rank, slip);
+    }
+    all
+}
+
+/// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.
+fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
+    let mut all = Vec::new();
+    for one in &passed.decisions {
+        let (name, place) = (one.name, one.place);
+        let mut add = |name, rank, slip| all.push((name, CONDITION, rank, slip));
         let mut turned = |name, of| add(name, 9, Slip::Decision(place, of));
         turned(format!("never takes it into account when {name}"), |_| {
             false
@@ -290,11 +307,11 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             format!("decides the other way round whether {name}"),
             |holds| !holds,
         );
-        if compares {
+        if one.compares {
             let tie = format!(
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
-            add(tie, 9, Slip::Tie(place));
+            add(tie, 10, Slip::Tie(place));
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
                     "takes a difference of less than {least} for none when it decides whether {name}"
@@ -303,25 +320,21 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             }
         }
     }
-    for Loop { name, place } in loops {
+    for Loop { name, place } in &passed.loops {
         for (rank, what, of) in ROUNDS {
-            let slip = Slip::Rounds(place, *of);
-            add(format!("{what} {name}"), FORGOTTEN, *rank, slip);
+            let slip = Slip::Rounds(*place, *of);
+            all.push((format!("{what} {name}"), FORGOTTEN, *rank, slip));
         }
     }
-    for Operation { name, place } in operations {
-        add(
-            format!("forgets {name}"),
-            FORGOTTEN,
-            9,
-            Slip::Forgotten(place),
-        );
+    for Operation { name, place } in &passed.operations {
+        let slip = Slip::Forgotten(*place);
+        all.push((format!("forgets {name}"), FORGOTTEN, 9, slip));
     }
     all
 }
 
 /// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
-const ROUNDS: &[(u32, &str, fn(Range<usize>) -> Range<usize>)] = &[
+const ROUNDS: &[(u32, &str, Rounds)] = &[
     (9, "leaves out the last of", |all| {
         all.start..all.end.max(1) - 1
     }),

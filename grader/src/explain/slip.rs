@@ -76,6 +76,9 @@ impl Comparison {
     }
 }
 
+/// What is made of the rounds of a loop.
+pub type Rounds = fn(Range<usize>) -> Range<usize>;
+
 /// What happens at one step, wherever the way comes by it.
 #[derive(Clone, Copy, Debug)]
 pub enum Slip {
@@ -111,7 +114,7 @@ pub enum Slip {
     /// An operation is forgotten.
     Forgotten(Place),
     /// A loop goes through other rounds.
-    Rounds(Place, fn(Range<usize>) -> Range<usize>),
+    Rounds(Place, Rounds),
 }
 
 impl Slip {

@@ -95,6 +95,23 @@ fn by_directions(way: &mut Way, corners: [DVec3; 3], low: DVec3, size: DVec3, ma
             along,
             along.abs(),
         );
+        let weights = DVec3::new(
+            way.made(
+                "to take the absolute value of a direction's x",
+                along.x,
+                weights.x,
+            ),
+            way.made(
+                "to take the absolute value of a direction's y",
+                along.y,
+                weights.y,
+            ),
+            way.made(
+                "to take the absolute value of a direction's z",
+                along.z,
+                weights.z,
+            ),
+        );
         let reach = weights.dot(half);
         let least = at.into_iter().fold(f64::INFINITY, f64::min);
         let most = at.into_iter().fold(f64::NEG_INFINITY, f64::max);

@@ -20,6 +20,13 @@ struct Growing {
     copies: f64,
 }
 
+/// The copies that are left to a child of a cell with n shapes, of which a cut makes Σ nᵢ.
+fn left_to_a_child(way: &mut Way, copies: f64, [below, n]: [f64; 2]) -> f64 {
+    let named = way.part("Σ nᵢ/n, by which the copies are lowered", below / n);
+    let fewer = way.made("to divide the copies by 1 at least", named, named.max(1.0));
+    way.part("the copies that are left to a child", copies / fewer)
+}
+
 impl Explained for OctreeBuild {
     fn work(&self, way: &mut Way) -> TreeRow {
         let leaf = |first: usize, count: usize| NodeRow {
@@ -68,7 +75,6 @@ impl Explained for OctreeBuild {
             let below = way.number("Σ nᵢ, those of its children", "", below.into());
             let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
             let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
-            let lowers = way.part("Σ nᵢ/n, by which the copies are lowered", below / n);
             let is_dear = way.is_at_most("a cut costs no less than the leaf", n, cost);
             let is_many = way.is_less("a cut makes too many copies", copies, named);
             let is_deep = way.is_at_most(
@@ -106,12 +112,7 @@ impl Explained for OctreeBuild {
                 count: 0,
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
-            let fewer = way.made(
-                "to divide the copies by 1 at least",
-                lowers,
-                lowers.max(1.0),
-            );
-            let left = way.part("the copies that are left to a child", copies / fewer);
+            let left = left_to_a_child(way, copies, [below, n]);
             for child in (0..8).rev() {
                 let inside = shapes.iter().zip(&reach);
                 let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);

@@ -97,7 +97,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("sphere_hit", "May be infinite in a question: `within`."),
         (
             "sphere_hit",
-            "The right answer is or holds `none` in 22 of 54 cases, such as \"the sphere is behind\".",
+            "The right answer is or holds `none` in 23 of 55 cases, such as \"the sphere is behind\".",
         ),
         ("bounds_of", "May be empty in a question: `points`."),
         ("voxels_of_triangle", "The order of `cells` does not count."),

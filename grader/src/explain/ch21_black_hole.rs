@@ -67,14 +67,15 @@ fn by_halves(asked: &GeodesicStep, way: &mut Way) -> GeodesicStepAnswer {
     let step = way.part("step", f64::from(asked.step));
     let first = pull_by_steps(way, start);
     let first = way.part("dv/dλ at the start", first);
-    let half = way.part("the first half of the step", 0.5 * step);
+    let turns = way.part("the step, in which the velocity turns", step);
+    let half = way.part("the first half of the step", 0.5 * turns);
     let turned = way.part("v in the middle of the step", start.v + half * first);
     let moved = way.part("the step, in which the photon moves", step);
     let x = way.part("x after the step", start.x + moved * turned);
     let there = Photon { x, v: turned };
     let last = pull_by_steps(way, there);
     let last = way.part("dv/dλ at the end", last);
-    let half = way.part("the second half of the step", 0.5 * step);
+    let half = way.part("the second half of the step", 0.5 * turns);
     let v = way.part("v after the step", turned + half * last);
     GeodesicStepAnswer {
         position: x.as_vec3(),

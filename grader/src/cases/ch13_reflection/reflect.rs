@@ -12,6 +12,11 @@ fn square(q: &Reflect) -> Vec3 {
     q.incoming.dot(*q.normal) * *q.normal
 }
 
+/// (i.x n.x², i.y n.y², i.z n.z²): what comes of (i·n) n without the sum.
+fn axis_by_axis(q: &Reflect) -> Vec3 {
+    *q.incoming * *q.normal * *q.normal
+}
+
 impl Graded for Reflect {
     fn random(rng: &mut Pcg) -> Reflect {
         Reflect {
@@ -111,6 +116,16 @@ impl Graded for Reflect {
             name: "forgets the 2, and returns what is left along the surface",
             hint: "Subtract (i·n) n once, and you are left with a vector along the surface: how far is it to the other side?",
             answer: |q| *q.incoming - square(q),
+        },
+        Mistake {
+            name: "multiplies i and n axis by axis instead of taking their dot product",
+            hint: "i·n is one number: what is still to be done with the three products?",
+            answer: |q| *q.incoming - 2.0 * axis_by_axis(q),
+        },
+        Mistake {
+            name: "multiplies i and n axis by axis instead of taking their dot product, and normalises what comes of it",
+            hint: "i·n is one number: what is still to be done with the three products?",
+            answer: |q| (*q.incoming - 2.0 * axis_by_axis(q)).normalize_or_zero(),
         },
     ];
 

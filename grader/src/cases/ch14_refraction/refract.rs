@@ -151,6 +151,19 @@ impl Graded for Refract {
                     .then(|| eta * *q.direction + (eta * cos1 - angle.cos()) * n)
             },
         },
+        Mistake {
+            name: "goes straight on where it is totally reflected",
+            hint: "What does it mean if the sine of an angle would be larger than 1?",
+            answer: |q| Refract::answer(q).or(Some(*q.direction)),
+        },
+        Mistake {
+            name: "turns round the part of the direction along the surface",
+            hint: "Seen from above, does a ray turn back where it enters the glass?",
+            answer: |q| {
+                let (n, along) = (facing(q), along(q)?);
+                Some(-along - (1.0 - along.length_squared()).sqrt() * n)
+            },
+        },
     ];
 }
 

@@ -236,5 +236,22 @@ impl Graded for Lit {
                 u32::from(!blocked(&moved, &q.spheres, Interval::new(0.0, end)))
             },
         },
+        Mistake {
+            name: "looks at the first metre of the way only",
+            hint: "The light is farther away than a metre: where does your interval end, and how long is the direction that it belongs to?",
+            answer: |q| Self::misread(q, |q| q.distance = q.distance.min(1.0)),
+        },
+        Mistake {
+            name: "leaves out a sphere whose middle is not between the point and the light",
+            hint: "A sphere begins before its middle: can it be in the way although its middle is behind the light?",
+            answer: |q| {
+                let way = shadow(q);
+                let between = |ball: &Ball| {
+                    let along = (ball.center - way.origin).dot(way.direction);
+                    0.0 < along && along < q.distance
+                };
+                Self::misread(q, |q| q.spheres.retain(between))
+            },
+        },
     ];
 }

@@ -16,12 +16,20 @@ pub(super) fn cap(q: &SampleSphereLight) -> f32 {
     }
 }
 
-/// Directions by 1 − cos θ and φ, with a density, from u and 1 − cos α.
+/// Directions around the light's by 1 − cos θ and φ, with a density, from u and 1 − cos α.
 pub(super) fn cone(
     q: &SampleSphereLight,
     choose: impl Fn(Vec2, f32) -> (f32, f32, f32),
 ) -> Vec<Chosen> {
-    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+    around(q, Dir3::new_or(q.center - q.at, Dir3::Y), choose)
+}
+
+/// The same around another axis.
+pub(super) fn around(
+    q: &SampleSphereLight,
+    axis: Dir3,
+    choose: impl Fn(Vec2, f32) -> (f32, f32, f32),
+) -> Vec<Chosen> {
     let (basis, cap) = (Basis::around(axis), cap(q));
     let light = Sphere::new(q.center, q.radius);
     let chosen = |u: Vec2| {

@@ -168,6 +168,17 @@ impl Graded for SampleRect {
             hint: "Is every part of the light chosen as often as every other?",
             answer: |q| chosen_rect(q, |u| glam::vec2(u.x * u.x, u.y)),
         },
+        Mistake {
+            name: "divides what arrives by the number of samples, too",
+            hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
+            answer: |q| {
+                let mut all = SampleRect::answer(q)?;
+                for chosen in &mut all {
+                    chosen.arriving /= (q.n * q.n) as f32;
+                }
+                Some(all)
+            },
+        },
     ];
 }
 

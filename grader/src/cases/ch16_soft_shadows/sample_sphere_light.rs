@@ -1,10 +1,10 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
 use super::chosen::{self, DENSITY, MEAN, MEAN_ANGLE, N, each, evenly};
-use super::cone::{cap, cone};
+use super::cone::{around, cap, cone};
 use super::flaws;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
-use glam::{Vec3, dvec2};
+use glam::{Vec2, Vec3, dvec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -85,18 +85,27 @@ impl Graded for SampleSphereLight {
         let cap = cap(q);
         let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
         let basis = Basis::around(axis);
+        let aside = |c: &Chosen| vec2(c.toward.dot(*basis.x), c.toward.dot(*basis.y));
+        let n = got.len().max(1) as f32;
+        // The angle counts from anywhere: from the side to which most directions are, if there is one.
+        let mean = got
+            .iter()
+            .map(|c| aside(c).normalize_or_zero())
+            .sum::<Vec2>()
+            / n;
+        let side = if mean.length() > 0.1 { mean } else { Vec2::X };
         let place = |c: &Chosen| {
             let height = 0.5 * c.toward.distance_squared(*axis);
-            let phi = c.toward.dot(*basis.y).atan2(c.toward.dot(*basis.x));
+            let phi = side.angle_to(aside(c));
             dvec2(f64::from(height / cap), f64::from(phi / TAU + 0.5))
         };
         let places: Vec<_> = got.iter().map(place).collect();
         let mut traits = chosen::traits(q.radiance, got, &places, |_| 1.0 / (TAU * cap));
-        let off = got
-            .iter()
-            .map(|c| f64::from(c.distance) - distance(q, c).0)
-            .sum::<f64>();
-        traits.push(off / f64::from(q.radius) / got.len().max(1) as f64);
+        // Beside the light any distance is as wrong as another.
+        let meets = |c: &&Chosen| 0.5 * c.toward.distance_squared(*axis) <= cap;
+        let off = |c: &Chosen| f64::from(c.distance) - distance(q, c).0;
+        let off = got.iter().filter(meets).map(off).sum::<f64>();
+        traits.push(off / f64::from(q.radius * n));
         traits
     }
 
@@ -266,7 +275,93 @@ impl Graded for SampleSphereLight {
                 }
             },
         },
+        Mistake {
+            name: "forgets to square the radius over the distance for the cosine of the cone",
+            hint: "The sine of the cone's angle is the radius over the distance: how do you get the cosine from the sine?",
+            answer: |q| {
+                let far = q.at.distance(q.center);
+                if far > q.radius {
+                    wide(q, 1.0 - (1.0 - q.radius / far).sqrt())
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes π for 2π in the density",
+            hint: "What is the area of a cap of height h on the unit sphere?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 1.0 / (PI * cap))),
+        },
+        Mistake {
+            name: "takes 4π for 2π in the density",
+            hint: "What is the area of a cap of height h on the unit sphere?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 0.5 / (TAU * cap))),
+        },
+        Mistake {
+            name: "returns the density of a whole sphere",
+            hint: "The density is the inverse of the solid angle of the cone: how large is it?",
+            answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 0.5 / TAU)),
+        },
+        Mistake {
+            name: "makes the directions around +z, wherever the light is",
+            hint: "The middle of all your directions points along one axis of the world: where is the light?",
+            answer: |q| {
+                around(q, Dir3::Z, |u, cap| {
+                    (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "makes the directions around +y, wherever the light is",
+            hint: "The middle of all your directions points along one axis of the world: where is the light?",
+            answer: |q| {
+                around(q, Dir3::Y, |u, cap| {
+                    (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "makes the directions away from the light",
+            hint: "From the point to the light: which of the two do you subtract from which?",
+            answer: |q| {
+                let away = -Dir3::new_or(q.center - q.at, Dir3::Y);
+                around(q, away, |u, cap| (u.x * cap, TAU * u.y, 1.0 / (TAU * cap)))
+            },
+        },
+        Mistake {
+            name: "forgets the root in the sine of a direction's angle",
+            hint: "sin² + cos² = 1: what do you have when you take cos² from 1? How long are your directions?",
+            answer: |q| with_sine(q, |cosine| 1.0 - cosine * cosine),
+        },
+        Mistake {
+            name: "takes 1 − cos θ for the sine of a direction's angle",
+            hint: "sin² + cos² = 1: how do you get the sine from the cosine? How long are your directions?",
+            answer: |q| with_sine(q, |cosine| 1.0 - cosine),
+        },
+        Mistake {
+            name: "divides what arrives by the number of samples, too",
+            hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
+            answer: |q| {
+                let mut all = Self::answer(q);
+                for chosen in &mut all {
+                    chosen.arriving /= (q.n * q.n) as f32;
+                }
+                all
+            },
+        },
     ];
+}
+
+/// The right answer with another sine of the angle between a direction and the axis than its cosine has.
+fn with_sine(q: &SampleSphereLight, sine: fn(f32) -> f32) -> Vec<Chosen> {
+    let axis = *Dir3::new_or(q.center - q.at, Dir3::Y);
+    let mut all = SampleSphereLight::answer(q);
+    for chosen in &mut all {
+        let cosine = chosen.toward.dot(axis);
+        let across = (chosen.toward - cosine * axis).normalize_or_zero();
+        chosen.toward = sine(cosine) * across + cosine * axis;
+    }
+    all
 }
 
 /// Directions that are uniform in another cone, from its axis to the height 1 − cos α = `cap`.

@@ -231,9 +231,87 @@ impl Graded for VisibleFraction {
             answer: |q| Self::misread(q, |q| q.balls.truncate(q.balls.len().saturating_sub(1))),
         },
         Mistake {
-            name: "samples one half of the light only",
+            name: "samples one half of the light only, along a",
             hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
             answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "samples one half of the light only, along b",
+            hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x, 0.5 * u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "squares the random number along a",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x * u.x, u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "squares the random number along b",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y * u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "squares both random numbers",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| u * u, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "lets the random numbers go from −1 to 1",
+            hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
+            answer: |q| seen(q, 16, |u| 2.0 * u - 1.0, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "looks at the first metre of the way only",
+            hint: "The light is farther away than a metre: where does your interval end, and how long is the direction that it belongs to?",
+            answer: |q| {
+                seen_past(
+                    q,
+                    16,
+                    |u| u,
+                    |ball, from, r| {
+                        Dir3::new(r).is_some_and(|d| {
+                            ball.blocks(&Ray::new(from, d), Interval::new(0.0, 1.0))
+                        })
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "does not normalise the direction to the light",
+            hint: "How long is the vector from the point to the light? Does your sphere take a direction of length 1 for granted?",
+            answer: |q| {
+                seen_past(
+                    q,
+                    16,
+                    |u| u,
+                    |ball, from, r| {
+                        let to_center = ball.center - from;
+                        let middle = to_center.dot(r);
+                        let free = to_center.length_squared() - ball.radius * ball.radius;
+                        let half = (middle * middle - free).sqrt(); // NaN where it misses
+                        let within = Interval::new(0.0, r.length());
+                        within.contains(middle - half) || within.contains(middle + half)
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "takes twice the radius of each ball",
+            hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls.iter_mut().for_each(|ball| ball.radius *= 2.0);
+                })
+            },
+        },
+        Mistake {
+            name: "forgets the first ball",
+            hint: "Where does your loop over the balls begin?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls = q.balls.split_off(1.min(q.balls.len()));
+                })
+            },
         },
         Mistake {
             name: "takes half the radius of each ball",
@@ -307,6 +385,21 @@ fn exact(q: &VisibleFraction) -> Vec<f32> {
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`
 /// times the distance of the light.
 fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, ends: [f32; 2]) -> Vec<f32> {
+    seen_past(q, n, place, |ball, from, r| {
+        let [begin, end] = ends.map(|end| end * r.length());
+        let way = Interval::new(begin, end);
+        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
+    })
+}
+
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by whether a ball blocks the way from a
+/// point along a vector that ends at the light.
+fn seen_past(
+    q: &VisibleFraction,
+    n: u32,
+    place: fn(Vec2) -> Vec2,
+    blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
+) -> Vec<f32> {
     let balls: Vec<_> = q
         .balls
         .iter()
@@ -314,10 +407,7 @@ fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, ends: [f32; 2]) ->
         .collect();
     let arrives = |from: Vec3, u: Vec2| {
         let r = q.corner + u.x * q.a + u.y * q.b - from;
-        let [begin, end] = ends.map(|end| end * r.length());
-        let way = Interval::new(begin, end);
-        let free = |ray: &Ray| !balls.iter().any(|ball| ball.blocks(ray, way));
-        r.dot(q.a.cross(q.b)) < 0.0 && Dir3::new(r).is_some_and(|d| free(&Ray::new(from, d)))
+        r.dot(q.a.cross(q.b)) < 0.0 && !balls.iter().any(|ball| blocks(ball, from, r))
     };
     let fraction = |&p: &Vec3| {
         let count = lattice(n).filter(|&u| arrives(p, place(u))).count();

@@ -62,6 +62,16 @@ impl Graded for BrdfPhong {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
+            name: "leaves for the highlight only what the matte part does not reflect: multiplies it by 1 − diffuse",
+            hint: "The two albedos are given: is the highlight's still to be made smaller?",
+            answer: |q| Self::misread(q, |q| q.specular = q.specular * q.diffuse.map(|d| 1.0 - d)),
+        },
+        Mistake {
+            name: "leaves for the matte part only what the highlight does not reflect: multiplies it by 1 − specular",
+            hint: "The two albedos are given: is that of the matte part still to be made smaller?",
+            answer: |q| Self::misread(q, |q| q.diffuse = q.diffuse * q.specular.map(|s| 1.0 - s)),
+        },
+        Mistake {
             name: "multiplies the whole BRDF by the cosine",
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
             answer: |q| BrdfPhong::answer(q) * q.normal.dot(*q.toward),

@@ -14,6 +14,12 @@ fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
+/// A point of the unit disc, lifted by 1 − r².
+fn over_disc(u: Vec2) -> Vec3 {
+    let (r, phi) = (u.x.sqrt(), TAU * u.y);
+    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r * r)
+}
+
 impl Graded for CosineHemisphere {
     fn random(rng: &mut Pcg) -> CosineHemisphere {
         CosineHemisphere {
@@ -185,6 +191,26 @@ impl Graded for CosineHemisphere {
             name: "has a density in proportion to cos²θ",
             hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
             answer: |q| around(q, |u| at_height((1.0 - u.x).cbrt(), TAU * u.y)),
+        },
+        Mistake {
+            name: "forgets the root in the height over the disc",
+            hint: "r² and the height's square add up to 1: how long are your directions?",
+            answer: |q| around(q, over_disc),
+        },
+        Mistake {
+            name: "forgets the root in the height over the disc, and normalises",
+            hint: "r² and the height's square add up to 1: how high is the sphere over the disc at r?",
+            answer: |q| around(q, |u| over_disc(u).normalize_or_zero()),
+        },
+        Mistake {
+            name: "leaves the disc at a height of 1 − r, and normalises",
+            hint: "What is the height of a sphere above the point at r?",
+            answer: |q| {
+                around(q, |u| {
+                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
+                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r).normalize_or_zero()
+                })
+            },
         },
     ];
 }

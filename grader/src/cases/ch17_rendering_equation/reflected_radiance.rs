@@ -2,7 +2,9 @@
 
 use super::{at_height, colour};
 use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use glam::Vec3;
 use raybook::image::rgb::Rgb;
+use raybook::material::mirror;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere;
 use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
@@ -24,14 +26,39 @@ fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb;
     sums
 }
 
-/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean.
+/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean; the weight is of the cosine.
 fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
+    estimated(q, |d| weight(d.dot(*q.normal)))
+}
+
+/// The same with a weight of the direction: the density of the directions that are chosen, over that by which is divided.
+fn estimated(q: &ReflectedRadiance, weight: impl Fn(Dir3) -> f32) -> Rgb {
     let brdf = q.brdf();
     let [sum] = integral(q.normal, |d| {
-        let cosine = d.dot(*q.normal);
-        [brdf.value(q.normal, q.view, d) * q.sky(d) * (cosine * weight(cosine))]
+        let light = brdf.value(q.normal, q.view, d) * q.sky(d) * d.dot(*q.normal);
+        [light * weight(d)]
     });
     sum
+}
+
+/// The density (n + 1)/2π · cosⁿ α around an axis.
+fn lobe(axis: Vec3, n: f32, d: Dir3) -> f32 {
+    (n + 1.0) / TAU * d.dot(axis).max(0.0).powf(n)
+}
+
+/// The density of the cosine.
+fn matte(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    lobe(*q.normal, 1.0, d)
+}
+
+/// The density of the highlight's lobe, of this exponent, around the mirrored viewer.
+fn highlight(q: &ReflectedRadiance, n: f32, d: Dir3) -> f32 {
+    lobe(-*mirror::reflect(q.view, q.normal), n, d)
+}
+
+/// The density of directions of which half are chosen by the cosine and half by the highlight.
+fn both(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    0.5 * (matte(q, d) + highlight(q, q.exponent, d))
 }
 
 /// ∫ f L_i cos θ dω with another light in the place of L_i.
@@ -208,6 +235,68 @@ impl Graded for ReflectedRadiance {
             name: "looks at the sky in the viewer's direction, whatever direction is chosen",
             hint: "From which directions does light arrive at the surface?",
             answer: |q| under(q, |_| q.sky(q.view)),
+        },
+        Mistake {
+            name: "chooses half of the directions by a lobe of another exponent than in the density",
+            hint: "A number to the power of 1/(n + 1) belongs to the density (n + 1)/2π · cosⁿ α: does yours?",
+            answer: |q| {
+                let chosen = |d| 0.5 * (matte(q, d) + highlight(q, q.exponent + 1.0, d));
+                estimated(q, |d| chosen(d) / both(q, d))
+            },
+        },
+        Mistake {
+            name: "takes (n + 2)/2π for the factor of the lobe's density",
+            hint: "The integral of a density over all directions is 1: is that of cosⁿ α times your factor?",
+            answer: |q| {
+                let n = q.exponent;
+                let factor = (n + 2.0) / (n + 1.0);
+                let divided = |d| 0.5 * (matte(q, d) + factor * highlight(q, n, d));
+                estimated(q, |d| both(q, d) / divided(d))
+            },
+        },
+        Mistake {
+            name: "exchanges the exponents of both lobes: the cosine to the power of n around the normal, and the cosine itself around the mirrored viewer",
+            hint: "Which of your two ways of choosing is that of the matte part, and which that of the highlight?",
+            answer: |q| {
+                let chosen = |d| 0.5 * (lobe(*q.normal, q.exponent, d) + highlight(q, 1.0, d));
+                estimated(q, |d| chosen(d) / both(q, d))
+            },
+        },
+        Mistake {
+            name: "forgets the π in the cosine's part of a density of two",
+            hint: "The integral of a density over all directions is 1: is that of cos θ?",
+            answer: |q| {
+                let divided = |d| 0.5 * (PI * matte(q, d) + highlight(q, q.exponent, d));
+                estimated(q, |d| both(q, d) / divided(d))
+            },
+        },
+        Mistake {
+            name: "divides directions that are chosen in two ways by the density of the cosine only",
+            hint: "A direction may come from either of your two ways of choosing: what is the density of both together?",
+            answer: |q| estimated(q, |d| both(q, d) / matte(q, d)),
+        },
+        Mistake {
+            name: "divides directions that are chosen in two ways by the density of the highlight only",
+            hint: "A direction may come from either of your two ways of choosing: what is the density of both together?",
+            answer: |q| estimated(q, |d| both(q, d) / highlight(q, q.exponent, d).max(1e-9)),
+        },
+        Mistake {
+            name: "divides each of two kinds of directions by its own density, although the highlight's reach no direction beyond 90° from its axis",
+            hint: "Half of your samples never come to some directions in which the matte part has light: who stands for them?",
+            answer: |q| {
+                estimated(q, |d| {
+                    let is_reached = highlight(q, q.exponent, d) > 0.0;
+                    if is_reached { 1.0 } else { 0.5 }
+                })
+            },
+        },
+        Mistake {
+            name: "divides by the number of samples above the surface only",
+            hint: "A direction below the surface brings no light; is it a sample all the same?",
+            answer: |q| {
+                let [above] = integral(q.normal, |d| [Rgb::gray(both(q, d))]);
+                estimated(q, |_| 1.0 / above.g)
+            },
         },
     ];
 }

@@ -37,6 +37,18 @@ fn on_axis(q: &DirectionToCube, axis: usize) -> CubePlace {
     }
 }
 
+/// The right face, with a place that is divided by the component along this axis.
+fn divided(q: &DirectionToCube, axis: usize) -> CubePlace {
+    let (p, d) = (DirectionToCube::answer(q), q.direction.abs());
+    let by = if d[axis] > 0.0 { d[axis] } else { 1.0 };
+    let farther = |place: f32| 0.5 + (place - 0.5) * d.max_element() / by;
+    CubePlace {
+        u: farther(p.u),
+        v: farther(p.v),
+        ..p
+    }
+}
+
 /// Left and right exchanged.
 fn left_for_right(mut p: CubePlace) -> CubePlace {
     p.u = 1.0 - p.u;
@@ -299,6 +311,112 @@ impl Graded for DirectionToCube {
             name: "has left and right exchanged on the face -z only",
             hint: "Stand in the cube and look at that face: what is on your right?",
             answer: |q| on(q, &[5], left_for_right),
+        },
+        Mistake {
+            name: "has the ceiling +y turned by half a turn",
+            hint: "Look at -z and raise your eyes to the ceiling: where on it does it meet the wall -z?",
+            answer: |q| on(q, &[2], |p| left_for_right(top_for_bottom(p))),
+        },
+        Mistake {
+            name: "has the floor -y turned by half a turn",
+            hint: "Look at -z and lower your eyes to the floor: where on it does it meet the wall -z?",
+            answer: |q| on(q, &[3], |p| left_for_right(top_for_bottom(p))),
+        },
+        Mistake {
+            name: "has the ceiling and the floor upside down",
+            hint: "Look at -z and raise or lower your eyes: at which edge of those faces do you arrive?",
+            answer: |q| on(q, &[2, 3], top_for_bottom),
+        },
+        Mistake {
+            name: "has left and right exchanged on the walls +x and -x",
+            hint: "Stand in the cube and look at those walls: what is on your right?",
+            answer: |q| on(q, &[0, 1], left_for_right),
+        },
+        Mistake {
+            name: "has left and right exchanged on the walls +z and -z",
+            hint: "Stand in the cube and look at those walls: what is on your right?",
+            answer: |q| on(q, &[4, 5], left_for_right),
+        },
+        Mistake {
+            name: "has left and right exchanged on the ceiling and the floor",
+            hint: "Stand in the cube and look up and down: what is on your right?",
+            answer: |q| on(q, &[2, 3], left_for_right),
+        },
+        Mistake {
+            name: "exchanges u and v on the ceiling and the floor",
+            hint: "Which of the direction's x and z goes to the right on the ceiling?",
+            answer: |q| {
+                on(q, &[2, 3], |p| CubePlace {
+                    u: p.v,
+                    v: p.u,
+                    ..p
+                })
+            },
+        },
+        Mistake {
+            name: "takes y for v on all faces, on the ceiling and the floor too",
+            hint: "All of the ceiling has the same y after the division: which axis runs down on it?",
+            answer: |q| {
+                let p = Self::answer(q);
+                let v = match p.face {
+                    2 => 0.0,
+                    3 => 1.0,
+                    _ => p.v,
+                };
+                CubePlace { v, ..p }
+            },
+        },
+        Mistake {
+            name: "takes x for u on all faces, on the walls +x and -x too",
+            hint: "All of the wall +x has the same x after the division: which axis runs to the right on it?",
+            answer: |q| {
+                let p = Self::answer(q);
+                let u = match p.face {
+                    0 => 1.0,
+                    1 => 0.0,
+                    _ => p.u,
+                };
+                CubePlace { u, ..p }
+            },
+        },
+        Mistake {
+            name: "gives the positive face of a pair, whatever the sign is",
+            hint: "Which face does the direction (-1, 0, 0) point at?",
+            answer: |q| {
+                let p = Self::answer(q);
+                let face = p.face - p.face % 2;
+                CubePlace { face, ..p }
+            },
+        },
+        Mistake {
+            name: "goes by x, whichever component is the largest",
+            hint: "Which component of (0.1, 0.9, 0.2) decides?",
+            answer: |q| on_axis(q, 0),
+        },
+        Mistake {
+            name: "goes by y, whichever component is the largest",
+            hint: "Which component of (0.9, 0.1, 0.2) decides?",
+            answer: |q| on_axis(q, 1),
+        },
+        Mistake {
+            name: "goes by z, whichever component is the largest",
+            hint: "Which component of (0.9, 0.1, 0.2) decides?",
+            answer: |q| on_axis(q, 2),
+        },
+        Mistake {
+            name: "divides by |x| on all faces",
+            hint: "By the length of what is the direction divided, so that it ends on the wall?",
+            answer: |q| divided(q, 0),
+        },
+        Mistake {
+            name: "divides by |y| on all faces",
+            hint: "By the length of what is the direction divided, so that it ends on the wall?",
+            answer: |q| divided(q, 1),
+        },
+        Mistake {
+            name: "divides by |z| on all faces",
+            hint: "By the length of what is the direction divided, so that it ends on the wall?",
+            answer: |q| divided(q, 2),
         },
     ];
 

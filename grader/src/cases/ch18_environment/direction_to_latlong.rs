@@ -109,6 +109,26 @@ impl Graded for DirectionToLatlong {
                 vec2(right.x, angle / std::f32::consts::PI)
             },
         },
+        Mistake {
+            name: "forgets on which side of the middle a direction is: the sign of x",
+            hint: "An arc cosine is never negative: how do you tell left from right?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.x.abs(), d.y, d.z))),
+        },
+        Mistake {
+            name: "takes +z for up, and looks along +y",
+            hint: "Which axis is up on this map, and which is in its middle?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.z, -d.y))),
+        },
+        Mistake {
+            name: "takes +z for up, and looks along -y",
+            hint: "Which axis is up on this map, and which is in its middle?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.z, d.y))),
+        },
+        Mistake {
+            name: "has -x in the middle",
+            hint: "Which two components does the angle around the y axis come from, and in which order?",
+            answer: |q| Self::answer(&turned(q, |d| vec3(-d.z, d.y, d.x))),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -285,6 +285,21 @@ impl Graded for EnvironmentPdf {
                 }
             },
         },
+        Mistake {
+            name: "takes the sine at the direction for the whole texel, and chooses all rows as if they were equally wide",
+            hint: "For a constant map the density must be 1/(4π) everywhere: is it, near a pole?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
+                let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
+                let texel = 2.0 * PI * PI * sine / f64::from(q.width * q.height);
+                if sum > 0.0 {
+                    (map.texel(x, y) / (sum * texel)) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -55,6 +55,34 @@ fn by_angle(top: f64, bottom: f64, within: f64) -> f64 {
     (top.acos() + (bottom.acos() - top.acos()) * within).cos()
 }
 
+/// The sine of the angle from +y at a place in a row, from 0 at its upper edge to 1 at its lower one; a little above 0, so that it can be chosen.
+fn sine(q: &SampleEnvironment, row: usize, place: f64) -> f64 {
+    let angle = std::f64::consts::PI * (row as f64 + place) / f64::from(q.height);
+    angle.sin().abs() + 1e-9
+}
+
+/// The right directions, each in another texel or at another place in its texel. `change` says so of column and row, and of the shares of the
+/// way to the right and of the area downwards.
+fn elsewhere(
+    q: &SampleEnvironment,
+    change: fn(&SampleEnvironment, [usize; 2], [f32; 2]) -> ([usize; 2], [f32; 2]),
+) -> Vec<Vec3> {
+    let height = q.height as usize;
+    let edges = |row: usize| [row, row + 1].map(|row| latlong::cosine(row, height));
+    let moved = |d: &Vec3| {
+        let place = latlong::place(toward(d.x, d.y, d.z));
+        let (x, y) = (cell(place.x, q.width), cell(place.y, q.height));
+        let [top, bottom] = edges(y);
+        let down = (top - f64::from(d.y)) / (top - bottom);
+        let right = place.x * q.width as f32 - x as f32;
+        let ([x, y], [right, down]) = change(q, [x, y], [right, down as f32]);
+        let [top, bottom] = edges(y);
+        let cosine = by_solid_angle(top, bottom, f64::from(down));
+        *latlong::toward((x as f32 + right) / q.width as f32, cosine)
+    };
+    SampleEnvironment::answer(q).iter().map(moved).collect()
+}
+
 impl Graded for SampleEnvironment {
     fn random(rng: &mut Pcg) -> SampleEnvironment {
         let (width, height) = (rng.random_range(2..5), rng.random_range(2..5));
@@ -289,6 +317,73 @@ impl Graded for SampleEnvironment {
                 q.sampled(
                     |q, x, y| q.texel(x, y) * q.solid_angle(y),
                     |top, bottom, _| (0.5 * (top.acos() + bottom.acos())).cos(),
+                )
+            },
+        },
+        Mistake {
+            name: "always takes the middle between a texel's left and right edge",
+            hint: "Can a direction be anywhere in its texel, near the left edge too?",
+            answer: |q| elsewhere(q, |_, [x, y], [_, down]| ([x, y], [0.5, down])),
+        },
+        Mistake {
+            name: "exchanges rows and columns of the list",
+            hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let there = q.texels[x * q.height as usize + y];
+                        f64::from(there) * q.solid_angle(y)
+                    },
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "divides by the number of rows, not by the width, to find a texel's row and column",
+            hint: "How many texels come in the list before the first one of the second row?",
+            answer: |q| {
+                elsewhere(q, |q, [x, y], within| {
+                    let number = y * q.width as usize + x;
+                    let height = q.height as usize;
+                    ([number % height, number / height], within)
+                })
+            },
+        },
+        Mistake {
+            name: "is one row too low",
+            hint: "Which row begins at the top of the map, with the cosine 1?",
+            answer: |q| elsewhere(q, |_, [x, y], within| ([x, y + 1], within)),
+        },
+        Mistake {
+            name: "is one row too high",
+            hint: "Which row begins at the top of the map, with the cosine 1?",
+            answer: |q| elsewhere(q, |_, [x, y], within| ([x, y.saturating_sub(1)], within)),
+        },
+        Mistake {
+            name: "is one column too far right",
+            hint: "Which column begins at the left edge of the map?",
+            answer: |q| elsewhere(q, |_, [x, y], within| ([x + 1, y], within)),
+        },
+        Mistake {
+            name: "is half a texel off to the right",
+            hint: "From where to where does your direction go in its texel: from its left edge to its right one?",
+            answer: |q| elsewhere(q, |_, at, [right, down]| (at, [right + 0.5, down])),
+        },
+        Mistake {
+            name: "weighs by the sine at a row's upper edge",
+            hint: "How large is the solid angle of your first row?",
+            answer: |q| q.sampled(|q, x, y| q.texel(x, y) * sine(q, y, 0.0), by_solid_angle),
+        },
+        Mistake {
+            name: "weighs by the cosine of the angle from +y in the place of its sine",
+            hint: "Where is a texel widest on the sphere: at the horizon, or at a pole?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let angle = std::f64::consts::PI * (y as f64 + 0.5) / f64::from(q.height);
+                        q.texel(x, y) * (angle.cos().abs() + 1e-9)
+                    },
+                    by_solid_angle,
                 )
             },
         },

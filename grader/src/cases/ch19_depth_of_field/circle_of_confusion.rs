@@ -47,9 +47,14 @@ impl Graded for CircleOfConfusion {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "is negative on one side of the focus",
+            name: "is negative on the near side of the focus",
             hint: "What is nearer than the focus is blurred too: can a diameter be negative?",
             answer: |q| (1.0 - q.focus / q.distance) * q.lens().aperture() * q.magnification(),
+        },
+        Mistake {
+            name: "is negative on the far side of the focus",
+            hint: "What is beyond the focus is blurred too: can a diameter be negative?",
+            answer: |q| (q.focus / q.distance - 1.0) * q.lens().aperture() * q.magnification(),
         },
         Mistake {
             name: "returns the radius",
@@ -59,7 +64,11 @@ impl Graded for CircleOfConfusion {
         Mistake {
             name: "exchanges the distance and the focus",
             hint: "Which of the two distances says where the film is?",
-            answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.focus, &mut q.distance)),
+            answer: |q| {
+                // As a limit, which a star has too.
+                let sharp = (1.0 - q.focus / q.distance) / (1.0 - q.focal_length / q.distance);
+                (q.lens().aperture() * sharp * q.focal_length / q.focus).abs()
+            },
         },
         Mistake {
             name: "multiplies by the f-number",

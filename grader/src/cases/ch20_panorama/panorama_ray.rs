@@ -147,6 +147,16 @@ impl Graded for PanoramaRay {
                 }
             },
         },
+        Mistake {
+            name: "takes the latitude for the height above the horizon, and normalises",
+            hint: "On a sphere, how high above the horizon is what you see at an angle of 45°, and how far away?",
+            answer: |q| at_height(q, PI * (0.5 - q.film.y)),
+        },
+        Mistake {
+            name: "draws a cylinder: lets the height above the horizon fall evenly from 1 to −1, and normalises",
+            hint: "Straight up is at the top: how high does your direction go there?",
+            answer: |q| at_height(q, 1.0 - 2.0 * q.film.y),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -180,6 +190,13 @@ fn question(position: Vec3, forward: Dir3, film: Vec2) -> PanoramaRay {
 fn along(q: &PanoramaRay, phi: f32, theta: f32) -> CameraRayAnswer {
     let around = phi.cos() * *q.forward + phi.sin() * *q.right;
     ray(q, theta.sin() * around + theta.cos() * *q.up)
+}
+
+/// The ray at the right longitude, to a place one metre away at this height above the horizon.
+fn at_height(q: &PanoramaRay, height: f32) -> CameraRayAnswer {
+    let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
+    let level = cos * *q.forward + sin * *q.right;
+    ray(q, (level + height * *q.up).normalize_or_zero())
 }
 
 fn ray(q: &PanoramaRay, direction: Vec3) -> CameraRayAnswer {

@@ -48,6 +48,11 @@ impl Graded for DeflectionAngle {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
+            name: "follows the orbit of a stone, by Newton's law",
+            hint: "Newton's orbit is a hyperbola, and nothing in it falls in: which term of u″ is only Einstein's?",
+            answer: |q| Some(2.0 * (0.5 / q.impact_parameter).atan()),
+        },
+        Mistake {
             name: "takes 2/b, which is right far away only",
             hint: "At b = 10 the ray is turned by 18 % more than 2/b: what is missing in yours?",
             answer: |q| escapes(q).map(|b| 2.0 / b),

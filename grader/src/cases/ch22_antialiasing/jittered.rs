@@ -2,7 +2,7 @@
 
 use super::points;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
-use glam::{Vec2, vec2};
+use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercise::Exercise;
@@ -15,7 +15,7 @@ fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     let cells = (0..q.rows).flat_map(|j| (0..q.columns).map(move |i| vec2(i as f32, j as f32)));
     let place = |cell| {
         let u = vec2(rng.random(), rng.random());
-        place(cell, count, u).min(Vec2::splat(1.0_f32.next_down()))
+        place(cell, count, u)
     };
     cells.map(place).collect()
 }
@@ -218,6 +218,26 @@ impl Graded for Jittered {
             name: "jitters along x only",
             hint: "How many different y have your points in one row of cells?",
             answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, 0.5)) / count),
+        },
+        Mistake {
+            name: "jitters along y only",
+            hint: "How many different x have your points in one column of cells?",
+            answer: |q| cells(q, |cell, count, u| (cell + vec2(0.5, u.y)) / count),
+        },
+        Mistake {
+            name: "jitters around the cells' corners, and leaves the square",
+            hint: "Cell (i, j) begins at (i, j): can your point be before it?",
+            answer: |q| cells(q, |cell, count, u| (cell + u - 0.5) / count),
+        },
+        Mistake {
+            name: "moves a point by as much as the whole square, not by as much as its cell",
+            hint: "How wide is a cell, and how far may its point be from its left edge?",
+            answer: |q| cells(q, |cell, count, u| cell / count + u),
+        },
+        Mistake {
+            name: "divides the columns by the number of rows, and the rows by that of the columns",
+            hint: "Along x, how many cells are side by side?",
+            answer: |q| cells(q, |cell, count, u| (cell + u) / count.yx()),
         },
     ];
 }

@@ -87,6 +87,19 @@ impl Graded for PixelAverage {
             answer: |q| average(q, |s| (1.0 - s.offset.abs() / q.radius).element_product()),
         },
         Mistake {
+            name: "lets the weights go below 0, and returns black where their sum does",
+            hint: "What is the weight of a sample that is two radii away?",
+            answer: |q| {
+                let weight = |s: &Seen| (1.0 - s.offset.abs() / q.radius).element_product();
+                let sum: f32 = q.samples.iter().map(weight).sum();
+                if sum > 0.0 {
+                    average(q, weight)
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
+        Mistake {
             name: "makes a cone instead of a tent",
             hint: "The tent's edges are straight: what is its weight at a corner of its square, and half way to the corner?",
             answer: |q| average(q, |s| (1.0 - s.offset.length() / q.radius).max(0.0)),
@@ -183,6 +196,50 @@ impl Graded for PixelAverage {
                     .map(|s| s.radiance * tent(q, s.offset))
                     .sum();
                 if most > 0.0 { light / most } else { Rgb::BLACK }
+            },
+        },
+        Mistake {
+            name: "takes the smaller of the factors along x and along y instead of multiplying them",
+            hint: "Half way to the edge along x and along y: is the weight a half, or a quarter?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset.abs() / q.radius)
+                        .max(Vec2::ZERO)
+                        .min_element()
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the last sample, but not its weight",
+            hint: "Where does each of your loops over the samples end?",
+            answer: |q| {
+                let weights: f32 = q.samples.iter().map(|s| tent(q, s.offset)).sum();
+                let mut all = q.samples.iter();
+                all.next_back();
+                let light: Rgb = all.map(|s| s.radiance * tent(q, s.offset)).sum();
+                if weights > 0.0 {
+                    light / weights
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
+        Mistake {
+            name: "leaves out the last sample",
+            hint: "Where does your loop over the samples end?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.samples.pop();
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the first sample",
+            hint: "Where does your loop over the samples begin?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.samples = q.samples.split_off(1.min(q.samples.len()));
+                })
             },
         },
     ];

@@ -220,6 +220,29 @@ impl Graded for PoissonDisk {
             answer: |q| apart(q, |way| way.abs().element_sum() >= q.distance),
         },
         Mistake {
+            name: "keeps the points half the distance away from the border",
+            hint: "May a point lie on the very edge of the square?",
+            answer: |q| {
+                let inner = |p: Vec2| p.min(1.0 - p).min_element() >= 0.5 * q.distance;
+                darts(q, |p, points| {
+                    inner(p) && points.iter().all(|o| p.distance(*o) >= q.distance)
+                })
+            },
+        },
+        Mistake {
+            name: "compares with the points in the cells next to its own only, where cells are smaller than the distance",
+            hint: "A cell holds one point if its diagonal is the distance: how many cells away may a point be that is too near?",
+            answer: |q| {
+                let cell = |p: Vec2| (p * std::f32::consts::SQRT_2 / q.distance).floor();
+                darts(q, |p, points| {
+                    points.iter().all(|o| {
+                        let is_next = (cell(p) - cell(*o)).abs().max_element() <= 1.0;
+                        !is_next || p.distance(*o) >= q.distance
+                    })
+                })
+            },
+        },
+        Mistake {
             name: "gives up too early",
             hint: "Look at your points: are there gaps in which another one would have room? How many darts may miss before you stop?",
             answer: |q| {

@@ -15,6 +15,23 @@ fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     u.map(point).collect()
 }
 
+/// n points, each from its number and two uniform numbers.
+fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
+    let all = each(q, |u| u).into_iter().enumerate();
+    all.map(|(i, u)| point(i, u)).collect()
+}
+
+/// n points, whose coordinates along an axis are the mean of two uniform numbers each.
+fn adding(q: &RandomPattern, axis: Vec2) -> Vec<Vec2> {
+    let twice = RandomPattern {
+        n: 2 * q.n,
+        ..q.clone()
+    };
+    let numbers = each(&twice, |u| u);
+    let mean = |two: &[Vec2]| two[0] + 0.5 * axis * (two[1] - two[0]);
+    numbers.chunks_exact(2).map(mean).collect()
+}
+
 /// Fewer points than these tell little of how they are distributed.
 const ENOUGH: usize = 100;
 
@@ -74,8 +91,8 @@ impl Graded for RandomPattern {
         points::TOGETHER,
         Flaw {
             complaint: "its mirror image",
-            name: "takes with each point its mirror image too, x to 1 − x or y to 1 − y",
-            hint: "Independent points know nothing of each other: of how many random numbers do you make how many points?",
+            name: "balances the points around the middle: with each its mirror image, or a coordinate at even steps",
+            hint: "Independent points know nothing of each other: is each coordinate of each point a random number of its own?",
         },
         Flaw {
             complaint: "different x",
@@ -170,6 +187,50 @@ impl Graded for RandomPattern {
             name: "fills nine tenths of the square",
             hint: "What is the largest of all your coordinates?",
             answer: |q| each(q, |u| 0.9 * u),
+        },
+        Mistake {
+            name: "squares its numbers for x only",
+            hint: "Which share of your x is below a half, and which of your y?",
+            answer: |q| each(q, |u| vec2(u.x * u.x, u.y)),
+        },
+        Mistake {
+            name: "squares its numbers for y only",
+            hint: "Which share of your y is below a half, and which of your x?",
+            answer: |q| each(q, |u| vec2(u.x, u.y * u.y)),
+        },
+        Mistake {
+            name: "adds two random numbers for x only",
+            hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle third?",
+            answer: |q| adding(q, Vec2::X),
+        },
+        Mistake {
+            name: "adds two random numbers for y only",
+            hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle third?",
+            answer: |q| adding(q, Vec2::Y),
+        },
+        Mistake {
+            name: "puts x at even steps, and only y at random",
+            hint: "Is the x of a point known before it is chosen? Then it is not random.",
+            answer: |q| along(q, |i, u| vec2((i as f32 + 0.5) / q.n as f32, u.y)),
+        },
+        Mistake {
+            name: "puts y at even steps, and only x at random",
+            hint: "Is the y of a point known before it is chosen? Then it is not random.",
+            answer: |q| along(q, |i, u| vec2(u.x, (i as f32 + 0.5) / q.n as f32)),
+        },
+        Mistake {
+            name: "makes one point too few",
+            hint: "Where does your loop begin, and where does it end?",
+            answer: |q| {
+                let mut all = each(q, |u| u);
+                all.pop();
+                all
+            },
+        },
+        Mistake {
+            name: "makes one point too many",
+            hint: "Where does your loop begin, and where does it end?",
+            answer: |q| Self::misread(q, |q| q.n += 1),
         },
     ];
 }

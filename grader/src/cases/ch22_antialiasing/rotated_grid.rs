@@ -175,6 +175,24 @@ impl Graded for RotatedGrid {
             hint: "Are all your points in the square?",
             answer: |q| lattice(q, |p| turned(p, 1.0)),
         },
+        Mistake {
+            name: "has one sign of the rotation's sines wrong",
+            hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
+            answer: |q| {
+                inside(lattice(q, |p| {
+                    vec2(2.0 * p.x + p.y, p.x + 2.0 * p.y) / 5.0_f32.sqrt()
+                }))
+            },
+        },
+        Mistake {
+            name: "has both signs of the rotation's sines wrong in the same way",
+            hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
+            answer: |q| {
+                inside(lattice(q, |p| {
+                    vec2(2.0 * p.x - p.y, -p.x + 2.0 * p.y) / 5.0_f32.sqrt()
+                }))
+            },
+        },
     ];
 }
 

@@ -32,6 +32,27 @@ fn rounded_down(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32>
     q.deviations.iter().map(count).collect()
 }
 
+/// The best shares before they are rounded: in proportion to the deviations, and the minimum where that would be less (Neyman 1934).
+fn best(q: &SpendBudget) -> Vec<f32> {
+    let least = q.least as f32;
+    let mut is_quiet = vec![false; q.deviations.len()];
+    loop {
+        let pixels = || q.deviations.iter().zip(&is_quiet);
+        let sum: f32 = pixels().filter(|(_, quiet)| !**quiet).map(|(d, _)| d).sum();
+        if sum <= 0.0 {
+            return vec![q.budget as f32 / q.deviations.len() as f32; q.deviations.len()];
+        }
+        let quiet = pixels().filter(|(_, quiet)| **quiet).count() as f32;
+        let factor = (q.budget as f32 - quiet * least) / sum;
+        let share = |(d, quiet): (&f32, &bool)| if *quiet { least } else { factor * d };
+        let shares: Vec<_> = pixels().map(share).collect();
+        let Some(next) = shares.iter().position(|n| *n < least) else {
+            return shares;
+        };
+        is_quiet[next] = true;
+    }
+}
+
 impl Graded for SpendBudget {
     fn random(rng: &mut Pcg) -> SpendBudget {
         let pixels = rng.random_range(3..=9);
@@ -208,6 +229,34 @@ impl Graded for SpendBudget {
                 let counts = shares(q, 0, |d| d);
                 counts.into_iter().map(|n| n + q.least).collect()
             },
+        },
+        Mistake {
+            name: "rounds each share down, raised to the minimum without taking that from the others",
+            hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
+            answer: |q| {
+                let counts = rounded_down(q, 0, |d| d).into_iter();
+                counts.map(|n| n.max(q.least)).collect()
+            },
+        },
+        Mistake {
+            name: "rounds each share to the nearest number",
+            hint: "Add up your samples: is the sum the budget? A half up here and a half down there need not cancel.",
+            answer: |q| best(q).iter().map(|n| n.round() as u32).collect(),
+        },
+        Mistake {
+            name: "rounds each share up",
+            hint: "Add up your samples: is the sum the budget?",
+            answer: |q| best(q).iter().map(|n| n.ceil() as u32).collect(),
+        },
+        Mistake {
+            name: "rounds each share down, and loses the rest",
+            hint: "Add up your samples: is the sum the budget?",
+            answer: |q| best(q).iter().map(|n| n.floor() as u32).collect(),
+        },
+        Mistake {
+            name: "shares in inverse proportion to the deviation",
+            hint: "Twice the deviation: does that want more samples, or fewer?",
+            answer: |q| shares(q, q.least, |d| 1.0 / d.max(1e-6)),
         },
     ];
 }

@@ -31,6 +31,7 @@ pub enum Slip {
     ShadowEndsTheLoop,
     BelowTheSurface,
     RefractedFromTheWrongSide,
+    RefractedForNothing,
     MirroredFromTheWrongSide,
     FromTheSideAwayFromTheViewer,
     AlwaysFromOutside,

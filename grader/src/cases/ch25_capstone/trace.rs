@@ -173,6 +173,26 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::FirstForNearest),
         },
         Mistake {
+            name: "meets no planes",
+            hint: "Which of the three shapes does your loop ask, and what does it do with the others?",
+            answer: |q| without(q, |form| matches!(form, Form::Plane(_))),
+        },
+        Mistake {
+            name: "meets no spheres",
+            hint: "Which of the three shapes does your loop ask, and what does it do with the others?",
+            answer: |q| without(q, |form| matches!(form, Form::Sphere(_))),
+        },
+        Mistake {
+            name: "meets no triangles",
+            hint: "Which of the three shapes does your loop ask, and what does it do with the others?",
+            answer: |q| without(q, |form| matches!(form, Form::Triangle(_))),
+        },
+        Mistake {
+            name: "does not count a refracted ray among the surfaces in a row",
+            hint: "Each new ray may meet one surface less than the ray before: does the one behind the surface, too?",
+            answer: |q| answer(q, Slip::RefractedForNothing),
+        },
+        Mistake {
             name: "hits triangles from the front only",
             hint: "Walk round the triangle: is it there when you look from behind?",
             answer: |q| answer(q, Slip::OneSidedTriangles),
@@ -479,6 +499,11 @@ fn lit_by_nothing(q: &Trace, got: &Rgb) -> bool {
         }
         _ => false,
     })
+}
+
+/// The answer in a scene without some of its forms.
+fn without(q: &Trace, missing: fn(&Form) -> bool) -> Rgb {
+    Trace::misread(q, |q| q.scene.objects.retain(|o| !missing(&o.form)))
 }
 
 /// What the ray meets first.

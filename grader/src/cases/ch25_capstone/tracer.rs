@@ -57,6 +57,10 @@ impl Tracer<'_> {
         };
         let at = object.form.surface(ray, &hit);
         let see_from = |ray: Ray| self.radiance(&ray, depth - 1, false);
+        let see_behind = |ray: Ray| {
+            let counts = u32::from(!self.is(Slip::RefractedForNothing));
+            self.radiance(&ray, depth - counts, false)
+        };
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
             let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
@@ -122,9 +126,9 @@ impl Tracer<'_> {
                 let off_along_it =
                     self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
                 let through = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
-                    see_from(wrong_side(&at, refracted))
+                    see_behind(wrong_side(&at, refracted))
                 } else {
-                    see_from(self.leave(&at, refracted))
+                    see_behind(self.leave(&at, refracted))
                 };
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {

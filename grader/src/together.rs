@@ -1,7 +1,7 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
 //! Each question here goes wrong by chance with a probability below 2e-8 at a right answer, if the answers follow from different seeds; at most
-//! nine of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
+//! ten of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
 //! question without a seed may be answered by the same random numbers each time, and then all of them are off to the same side.
 
 use crate::Verdict;

@@ -16,11 +16,17 @@ impl Explained for PanoramaRay {
             TAU * (film.x - 0.5),
         );
         let theta = way.number("θ = π film.y, down from up", "rad", PI * film.y);
-        let ahead = way.part("cos φ · forward", phi.cos() * forward);
-        let aside = way.part("sin φ · right", phi.sin() * right);
+        let (sin_phi, cos_phi) = phi.sin_cos();
+        let (sin_theta, cos_theta) = theta.sin_cos();
+        let cos_phi = way.part("cos φ", cos_phi);
+        let sin_phi = way.part("sin φ", sin_phi);
+        let sin_theta = way.part("sin θ", sin_theta);
+        let cos_theta = way.part("cos θ", cos_theta);
+        let ahead = way.part("cos φ · forward", cos_phi * forward);
+        let aside = way.part("sin φ · right", sin_phi * right);
         let level = way.vector("level = cos φ · forward + sin φ · right", "", ahead + aside);
-        let level = way.part("sin θ · level", theta.sin() * level);
-        let upward = way.part("cos θ · up", theta.cos() * up);
+        let level = way.part("sin θ · level", sin_theta * level);
+        let upward = way.part("cos θ · up", cos_theta * up);
         let direction = way.vector("direction = sin θ · level + cos θ · up", "", level + upward);
         CameraRayAnswer {
             origin: self.position,

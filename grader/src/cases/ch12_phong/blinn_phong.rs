@@ -175,6 +175,31 @@ impl Graded for BlinnPhongExercise {
             hint: "Which of the two terms has an exponent? Raise α: may the matte part change?",
             answer: |q| power_of_more(&q.at, half(&q.at).dot(*q.at.normal), true),
         },
+        Mistake {
+            name: "takes the normal for the light in H",
+            hint: "H is half way between two directions: which two?",
+            answer: |q| {
+                let half = (*q.at.normal + *q.at.view).normalize_or_zero();
+                with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
+            },
+        },
+        Mistake {
+            name: "takes the normal for the viewer in H",
+            hint: "H is half way between two directions: which two?",
+            answer: |q| {
+                let half = (*q.at.normal + *q.at.toward).normalize_or_zero();
+                with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
+            },
+        },
+        Mistake {
+            name: "divides L + V by the square of its length",
+            hint: "How long is a vector after it is divided by the square of its length?",
+            answer: |q| {
+                let sum = *q.at.toward + *q.at.view;
+                let half = sum / sum.length_squared().max(f32::MIN_POSITIVE);
+                with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -261,6 +261,17 @@ impl Graded for Fresnel {
                 }
             },
         },
+        Mistake {
+            name: "takes the shares of light that arrives straight, at any angle",
+            hint: "Look along a window: does it mirror as little as when you look straight into it?",
+            answer: |q| {
+                if cos2(q).is_some() {
+                    shares(q.n1, 1.0, q.n2, 1.0)
+                } else {
+                    mean(1.0, 1.0)
+                }
+            },
+        },
     ];
 }
 

@@ -179,6 +179,18 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
+            name: "ends the interval at the square of the light's distance",
+            hint: "What is the length of the way, and what is its dot product with itself?",
+            answer: |q| {
+                let right = ShadowRay::answer(q);
+                let square = q.distance * q.distance;
+                Way {
+                    within: Interval::new(right.within.min, square),
+                    ..right
+                }
+            },
+        },
+        Mistake {
             name: "goes away from the light",
             hint: "From the surface to the light: in which direction?",
             answer: |q| {

@@ -85,19 +85,17 @@ impl Graded for SampleSphereLight {
         let cap = cap(q);
         let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
         let basis = Basis::around(axis);
+        // The angle counts from anywhere, in either sense: from the first sample, to the side on which more of the others are.
         let aside = |c: &Chosen| vec2(c.toward.dot(*basis.x), c.toward.dot(*basis.y));
+        let first = got.first().map_or(Vec2::X, aside);
+        let angle = |c: &Chosen| first.angle_to(aside(c));
+        let sense = got.iter().map(|c| angle(c).sin()).sum::<f32>().signum();
         let n = got.len().max(1) as f32;
-        // The angle counts from anywhere: from the side to which most directions are, if there is one.
-        let mean = got
-            .iter()
-            .map(|c| aside(c).normalize_or_zero())
-            .sum::<Vec2>()
-            / n;
-        let side = if mean.length() > 0.1 { mean } else { Vec2::X };
         let place = |c: &Chosen| {
-            let height = 0.5 * c.toward.distance_squared(*axis);
-            let phi = side.angle_to(aside(c));
-            dvec2(f64::from(height / cap), f64::from(phi / TAU + 0.5))
+            // What is beside the light is beside it, however far.
+            let height = (0.5 * c.toward.distance_squared(*axis) / cap).min(2.0);
+            let turn = sense * angle(c) / TAU + 0.5 / N as f32;
+            dvec2(height.into(), turn.rem_euclid(1.0).into())
         };
         let places: Vec<_> = got.iter().map(place).collect();
         let mut traits = chosen::traits(q.radiance, got, &places, |_| 1.0 / (TAU * cap));

@@ -365,6 +365,36 @@ impl Graded for VisibleFraction {
                 all.map(|f| if f < 1.0 { before(f) } else { f }).collect()
             },
         },
+        Mistake {
+            name: "takes the root of the random number along a",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x.sqrt(), u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes the root of the random number along b",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y.sqrt()), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes the root of both random numbers",
+            hint: "Is every part of the light chosen as often as every other?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x.sqrt(), u.y.sqrt()), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "looks at the first half of the way only",
+            hint: "A ball close to the light is in the way too: where does your ray end?",
+            answer: |q| seen(q, 16, |u| u, [0.0, 0.5]),
+        },
+        Mistake {
+            name: "samples one corner of the light only",
+            hint: "In the penumbra, how many different fractions do you get?",
+            answer: |q| seen(q, 1, |_| Vec2::ZERO, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "returns twice the fraction",
+            hint: "How much of the light is seen where nothing is in the way?",
+            answer: |q| VisibleFraction::answer(q).iter().map(|f| 2.0 * f).collect(),
+        },
     ];
 }
 

@@ -212,5 +212,40 @@ impl Graded for CosineHemisphere {
                 })
             },
         },
+        Mistake {
+            name: "adds a point of the unit sphere to twice the normal",
+            hint: "Where must the middle of the sphere be, so that the surface touches it?",
+            answer: |q| {
+                around(q, |u| {
+                    let of_sphere = at_height(1.0 - 2.0 * u.x, TAU * u.y);
+                    (of_sphere + 2.0 * Vec3::Z).normalize_or_zero()
+                })
+            },
+        },
+        Mistake {
+            name: "adds a point of the unit ball, not of its surface, to the normal",
+            hint: "Are the points that you add to the normal all one unit long?",
+            answer: |q| {
+                around(q, |u| {
+                    let of_ball = u.x.cbrt() * at_height(1.0 - 2.0 * u.x, TAU * u.y);
+                    (of_ball + Vec3::Z).normalize_or_zero()
+                })
+            },
+        },
+        Mistake {
+            name: "goes only a quarter of the way round",
+            hint: "Add up all your directions: does the sum point along the normal?",
+            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), FRAC_PI_2 * u.y)),
+        },
+        Mistake {
+            name: "takes the world's x and y for the two axes beside the normal",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| {
+                let warp = |u: Vec2| at_height((1.0 - u.x).sqrt(), TAU * u.y);
+                let beside =
+                    |d: Vec3| (d.x * Vec3::X + d.y * Vec3::Y + d.z * *q.normal).normalize_or_zero();
+                lattice(q.n).map(|u| beside(warp(u))).collect()
+            },
+        },
     ];
 }

@@ -298,5 +298,20 @@ impl Graded for ReflectedRadiance {
                 estimated(q, |_| 1.0 / above.g)
             },
         },
+        Mistake {
+            name: "takes the viewer's direction for the sky's zenith",
+            hint: "The sky stays where it is when you walk around: between which two directions is γ?",
+            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.dot(*q.view))),
+        },
+        Mistake {
+            name: "chooses directions by the cosine only, and divides by the density of two ways of choosing",
+            hint: "Is p the density of the directions that you really chose?",
+            answer: |q| estimated(q, |d| matte(q, d) / both(q, d)),
+        },
+        Mistake {
+            name: "chooses directions by the highlight only, and divides by the density of two ways of choosing",
+            hint: "Is p the density of the directions that you really chose?",
+            answer: |q| estimated(q, |d| highlight(q, q.exponent, d) / both(q, d)),
+        },
     ];
 }

@@ -418,6 +418,28 @@ impl Graded for DirectionToCube {
             hint: "By the length of what is the direction divided, so that it ends on the wall?",
             answer: |q| divided(q, 2),
         },
+        Mistake {
+            name: "exchanges the numbers of the faces of x with those of z",
+            hint: "Which numbers have the faces +x and -x, and which +z and -z?",
+            answer: |q| {
+                let p = Self::answer(q);
+                let face = [4, 5, 2, 3, 0, 1][p.face as usize];
+                CubePlace { face, ..p }
+            },
+        },
+        Mistake {
+            name: "spreads the places on a face by the angle, not by its tangent",
+            hint: "A cube has flat walls: half way from the middle of a face to its edge, is the angle half as large?",
+            answer: |q| {
+                let p = Self::answer(q);
+                let by_angle = |x: f32| 0.5 + (2.0 * x - 1.0).atan() / std::f32::consts::FRAC_PI_2;
+                CubePlace {
+                    u: by_angle(p.u),
+                    v: by_angle(p.v),
+                    ..p
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

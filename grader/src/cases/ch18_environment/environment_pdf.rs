@@ -78,6 +78,20 @@ fn rounded(q: &EnvironmentPdf, columns: bool, rows: bool) -> f32 {
     }
 }
 
+/// The density of the texel so many columns to the right and rows below: columns go round, rows end.
+fn neighbour(q: &EnvironmentPdf, right: i32, down: i32) -> f32 {
+    let (x, y) = q.texel();
+    let x = (x as i32 + right).rem_euclid(q.width as i32) as usize;
+    let y = (y as i32 + down).clamp(0, q.height as i32 - 1) as usize;
+    let map = q.map();
+    let all = map.all_light();
+    if all > 0.0 {
+        (map.texel(x, y) / all) as f32
+    } else {
+        0.0
+    }
+}
+
 impl Graded for EnvironmentPdf {
     fn random(rng: &mut Pcg) -> EnvironmentPdf {
         let map = SampleEnvironment::random(rng);
@@ -299,6 +313,26 @@ impl Graded for EnvironmentPdf {
                     0.0
                 }
             },
+        },
+        Mistake {
+            name: "is one column too far right",
+            hint: "The place 0 is in the first column, whose number is 0: which number does your formula give?",
+            answer: |q| neighbour(q, 1, 0),
+        },
+        Mistake {
+            name: "is one column too far left",
+            hint: "The place 0 is in the first column, whose number is 0: which number does your formula give?",
+            answer: |q| neighbour(q, -1, 0),
+        },
+        Mistake {
+            name: "is one row too low",
+            hint: "The place 0 is in the first row, whose number is 0: which number does your formula give?",
+            answer: |q| neighbour(q, 0, 1),
+        },
+        Mistake {
+            name: "is one row too high",
+            hint: "The place 0 is in the first row, whose number is 0: which number does your formula give?",
+            answer: |q| neighbour(q, 0, -1),
         },
     ];
 

@@ -387,5 +387,27 @@ impl Graded for SampleEnvironment {
                 )
             },
         },
+        Mistake {
+            name: "always takes a texel's left edge",
+            hint: "Can a direction be anywhere in its texel, near the right edge too?",
+            answer: |q| elsewhere(q, |_, at, [_, down]| (at, [0.0, down])),
+        },
+        Mistake {
+            name: "always takes a texel's upper edge",
+            hint: "Can a direction be anywhere in its texel, near the lower edge too?",
+            answer: |q| elsewhere(q, |_, at, [right, _]| (at, [right, 0.0])),
+        },
+        Mistake {
+            name: "goes only half of the way around",
+            hint: "From the left edge of the map to its right one, by which angle do you turn?",
+            answer: |q| {
+                let all = Self::answer(q).into_iter();
+                let halved = |d: Vec3| {
+                    let place = latlong::place(toward(d.x, d.y, d.z));
+                    *latlong::toward(0.25 + 0.5 * place.x, f64::from(d.y))
+                };
+                all.map(halved).collect()
+            },
+        },
     ];
 }

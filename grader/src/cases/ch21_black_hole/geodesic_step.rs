@@ -7,6 +7,9 @@ use raybook::render::curved::Photon;
 use raybook_workbook::exercises::ch21_black_hole::{GeodesicStep, GeodesicStepAnswer};
 
 impl Graded for GeodesicStep {
+    /// A bend is a small part of a position: what is alike must be so in the bend, which the judge sees to.
+    const ALIKE: f32 = 1e-6;
+
     fn random(rng: &mut Pcg) -> GeodesicStep {
         let radius = sample::number(rng, 1.5, 10.0);
         let speed = sample::number(rng, 0.5, 2.0);

@@ -124,7 +124,13 @@ impl Graded for Jittered {
             lists.iter().map(list)
         };
         together::serial("the place from left to right in a cell", along(0))?;
-        together::serial("the place from top to bottom in a cell", along(1))
+        together::serial("the place from top to bottom in a cell", along(1))?;
+        let each = |list: &Vec<Vec2>| {
+            list.iter()
+                .flat_map(|p| p.to_array().map(f64::from))
+                .collect()
+        };
+        together::serial("one of both places in a cell", lists.iter().map(each))
     }
 
     fn traits(q: &Jittered, got: &Vec<Vec2>) -> Vec<f64> {
@@ -238,6 +244,26 @@ impl Graded for Jittered {
             name: "divides the columns by the number of rows, and the rows by that of the columns",
             hint: "Along x, how many cells are side by side?",
             answer: |q| cells(q, |cell, count, u| (cell + u) / count.yx()),
+        },
+        Mistake {
+            name: "leaves out the last row of cells",
+            hint: "Where does each of your two loops end?",
+            answer: |q| {
+                let count = q.columns * q.rows.saturating_sub(1);
+                let mut all = Self::answer(q);
+                all.truncate(count as usize);
+                all
+            },
+        },
+        Mistake {
+            name: "leaves out the last column of cells",
+            hint: "Where does each of your two loops end?",
+            answer: |q| {
+                let last = q.columns.saturating_sub(1) as f32 / q.columns as f32;
+                let mut all = Self::answer(q);
+                all.retain(|p| p.x < last);
+                all
+            },
         },
     ];
 }

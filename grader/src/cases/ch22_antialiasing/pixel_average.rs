@@ -242,5 +242,26 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "takes the larger of the factors along x and along y instead of multiplying them",
+            hint: "A sample that is too far away along x: what does it count for, whatever y is?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset.abs() / q.radius)
+                        .max(Vec2::ZERO)
+                        .max_element()
+                })
+            },
+        },
+        Mistake {
+            name: "squares the shares of the radius, so that the tent's sides are round",
+            hint: "Half way to the edge the weight is a half: what is yours?",
+            answer: |q| {
+                average(q, |s| {
+                    let along = s.offset / q.radius;
+                    (1.0 - along * along).max(Vec2::ZERO).element_product()
+                })
+            },
+        },
     ];
 }

@@ -70,7 +70,12 @@ impl Graded for RandomPattern {
         together::balanced("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
         together::balanced("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;
         together::serial("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
-        together::serial("y", lists().map(|list| list.map(|p| p.y.into()).collect()))
+        together::serial("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;
+        let each = |p: &Vec2| p.to_array().map(f64::from);
+        together::serial(
+            "a coordinate",
+            lists().map(|list| list.flat_map(each).collect()),
+        )
     }
 
     fn traits(q: &RandomPattern, got: &Vec<Vec2>) -> Vec<f64> {
@@ -231,6 +236,27 @@ impl Graded for RandomPattern {
             name: "makes one point too many",
             hint: "Where does your loop begin, and where does it end?",
             answer: |q| Self::misread(q, |q| q.n += 1),
+        },
+        Mistake {
+            name: "fills one half of the square only, along x",
+            hint: "From where to where do your random numbers go, along each axis?",
+            answer: |q| each(q, |u| vec2(0.5 * u.x, u.y)),
+        },
+        Mistake {
+            name: "fills one half of the square only, along y",
+            hint: "From where to where do your random numbers go, along each axis?",
+            answer: |q| each(q, |u| vec2(u.x, 0.5 * u.y)),
+        },
+        Mistake {
+            name: "takes each point's second number for the next one's first",
+            hint: "How many random numbers do n points need?",
+            answer: |q| {
+                let numbers = each(q, |u| u);
+                let twos = numbers.iter().zip(numbers.iter().skip(1));
+                let mut all: Vec<_> = twos.map(|(one, next)| vec2(one.x, next.x)).collect();
+                all.extend(numbers.last());
+                all
+            },
         },
     ];
 }

@@ -241,6 +241,28 @@ impl Graded for NeedsMore {
                 decide(q, too_contrasty(q, ratio), error)
             },
         },
+        Mistake {
+            name: "divides the difference by the least only",
+            hint: "White is 1, and black is 0: how large is the contrast of both at most?",
+            answer: |q| {
+                decide(
+                    q,
+                    too_contrasty(q, |[max, min]| (max - min) / min.max(1e-9)),
+                    standard_error(q),
+                )
+            },
+        },
+        Mistake {
+            name: "wants more samples as long as there are fewer than three",
+            hint: "How many samples are too few, whatever they are?",
+            answer: |q| {
+                if q.samples.len() < 3 {
+                    1
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
     ];
 }
 

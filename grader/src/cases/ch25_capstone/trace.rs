@@ -442,6 +442,21 @@ impl Graded for Trace {
             hint: "From inside of a ball its normal points away from you: what becomes of a cosine, and of the start of a new ray?",
             answer: |q| answer(q, Slip::NormalNeverTurned),
         },
+        Mistake {
+            name: "lets a lamp's light pass through mirrors",
+            hint: "The back of a mirror is dark: does light come through?",
+            answer: |q| answer(q, Slip::LightThroughMirrors),
+        },
+        Mistake {
+            name: "lets a lamp's light pass through planes",
+            hint: "A wall between the lamp and the floor: does light come through? Which of the three shapes does your loop ask?",
+            answer: |q| answer(q, Slip::LightThroughPlanes),
+        },
+        Mistake {
+            name: "lets a lamp's light pass through triangles",
+            hint: "A sail between the lamp and the floor: does light come through? Which of the three shapes does your loop ask?",
+            answer: |q| answer(q, Slip::LightThroughTriangles),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

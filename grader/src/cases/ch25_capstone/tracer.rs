@@ -241,8 +241,13 @@ impl Tracer<'_> {
             self.leave(at, light.toward)
         };
         let blocks = |object: &&Object| {
-            let clear =
-                self.is(Slip::LightThroughGlass) && matches!(object.matter, Matter::Glass(_));
+            let clear = match self.slip {
+                Slip::LightThroughGlass => matches!(object.matter, Matter::Glass(_)),
+                Slip::LightThroughMirrors => matches!(object.matter, Matter::Mirror(_)),
+                Slip::LightThroughPlanes => matches!(object.form, Form::Plane(_)),
+                Slip::LightThroughTriangles => matches!(object.form, Form::Triangle(_)),
+                _ => false,
+            };
             !clear && self.hit(object, &ray, way).is_some()
         };
         self.is(Slip::NoShadows) || self.scene.objects.iter().find(blocks).is_none()

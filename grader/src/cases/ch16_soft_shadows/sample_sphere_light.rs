@@ -88,13 +88,17 @@ impl Graded for SampleSphereLight {
         // The angle counts from anywhere, in either sense: from the first sample, to the side on which more of the others are.
         let aside = |c: &Chosen| vec2(c.toward.dot(*basis.x), c.toward.dot(*basis.y));
         let first = got.first().map_or(Vec2::X, aside);
-        let angle = |c: &Chosen| first.angle_to(aside(c));
+        let angle = |c: &Chosen| {
+            let angle = first.angle_to(aside(c));
+            if angle.is_finite() { angle } else { 0.0 }
+        };
         let sense = got.iter().map(|c| angle(c).sin()).sum::<f32>().signum();
         let n = got.len().max(1) as f32;
         let place = |c: &Chosen| {
             // What is beside the light is beside it, however far.
             let height = (0.5 * c.toward.distance_squared(*axis) / cap).min(2.0);
-            let turn = sense * angle(c) / TAU + 0.5 / N as f32;
+            // Off the edges of the shares that are counted.
+            let turn = sense * angle(c) / TAU + 0.3 / N as f32;
             dvec2(height.into(), turn.rem_euclid(1.0).into())
         };
         let places: Vec<_> = got.iter().map(place).collect();

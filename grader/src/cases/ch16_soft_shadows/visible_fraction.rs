@@ -393,7 +393,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "returns twice the fraction",
             hint: "How much of the light is seen where nothing is in the way?",
-            answer: |q| VisibleFraction::answer(q).iter().map(|f| 2.0 * f).collect(),
+            answer: |q| exact(q).iter().map(|f| 2.0 * f).collect(),
         },
     ];
 }

@@ -152,11 +152,6 @@ impl Graded for PanoramaRay {
             hint: "On a sphere, how high above the horizon is what you see at an angle of 45°, and how far away?",
             answer: |q| at_height(q, PI * (0.5 - q.film.y)),
         },
-        Mistake {
-            name: "draws a cylinder: lets the height above the horizon fall evenly from 1 to −1, and normalises",
-            hint: "Straight up is at the top: how high does your direction go there?",
-            answer: |q| at_height(q, 1.0 - 2.0 * q.film.y),
-        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

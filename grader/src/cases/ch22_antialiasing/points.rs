@@ -7,6 +7,9 @@ use glam::Vec2;
 /// 2 exp(−2·3.1²) = 9e-9 (Kolmogorov; Massart 1990).
 const DEVIATION: f32 = 3.1;
 
+/// Chance makes that deviation smaller than this over √n with a probability of √2π/0.2 · exp(−π²/(8 · 0.2²)) = 5e-13 (Kolmogorov 1933).
+const EVEN: f32 = 0.2;
+
 /// What is wrong where [`in_square`] complains of the number.
 pub const COUNT: Flaw = Flaw {
     complaint: "were asked",
@@ -124,8 +127,7 @@ pub fn same_places(golden: &[Vec2], got: &[Vec2], tolerance: f32) -> Verdict {
 /// # Errors
 /// If it is larger than chance makes it; `what` is between 0 and 1, `where_from` says where it counts from.
 pub fn uniform(what: &str, numbers: impl Iterator<Item = f32>) -> Verdict {
-    let mut sorted: Vec<_> = numbers.collect();
-    sorted.sort_by(f32::total_cmp);
+    let sorted = sorted(numbers);
     let n = sorted.len() as f32;
     let bound = DEVIATION / n.sqrt();
     for (x, i) in sorted.iter().zip(0_u32..) {
@@ -138,6 +140,29 @@ pub fn uniform(what: &str, numbers: impl Iterator<Item = f32>) -> Verdict {
         }
     }
     Ok(())
+}
+
+/// Numbers that are uniform in [0, 1) and independent: the same deviation, which even steps keep below 1/n.
+///
+/// # Errors
+/// If it is smaller than chance makes it.
+pub fn by_chance(what: &str, numbers: impl Iterator<Item = f32>) -> Verdict {
+    let sorted = sorted(numbers);
+    let n = sorted.len() as f32;
+    let off = |(x, i): (&f32, u32)| (x - (i as f32 + 0.5) / n).abs() + 0.5 / n;
+    let most = sorted.iter().zip(0_u32..).map(off).fold(0.0, f32::max);
+    if most < EVEN / n.sqrt() {
+        return Err(format!(
+            "{what} goes through the points at even steps, which chance does not make"
+        ));
+    }
+    Ok(())
+}
+
+fn sorted(numbers: impl Iterator<Item = f32>) -> Vec<f32> {
+    let mut sorted: Vec<_> = numbers.collect();
+    sorted.sort_by(f32::total_cmp);
+    sorted
 }
 
 /// Two numbers of each point, uniform in [0, 1), that have nothing to do with each other: their correlation.

@@ -21,17 +21,6 @@ fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
     all.map(|(i, u)| point(i, u)).collect()
 }
 
-/// n points, whose coordinates along an axis are the mean of two uniform numbers each.
-fn adding(q: &RandomPattern, axis: Vec2) -> Vec<Vec2> {
-    let twice = RandomPattern {
-        n: 2 * q.n,
-        ..q.clone()
-    };
-    let numbers = each(&twice, |u| u);
-    let mean = |two: &[Vec2]| two[0] + 0.5 * axis * (two[1] - two[0]);
-    numbers.chunks_exact(2).map(mean).collect()
-}
-
 /// Fewer points than these tell little of how they are distributed.
 const ENOUGH: usize = 100;
 
@@ -55,6 +44,8 @@ impl Graded for RandomPattern {
         if got.len() < ENOUGH {
             return Ok(()); // too few to tell more
         }
+        points::by_chance("x", got.iter().map(|p| p.x))?;
+        points::by_chance("y", got.iter().map(|p| p.y))?;
         crowds(got)
     }
 
@@ -96,8 +87,13 @@ impl Graded for RandomPattern {
         points::TOGETHER,
         Flaw {
             complaint: "its mirror image",
-            name: "balances the points around the middle: with each its mirror image, or a coordinate at even steps",
-            hint: "Independent points know nothing of each other: is each coordinate of each point a random number of its own?",
+            name: "takes with each point its mirror image too, x to 1 − x or y to 1 − y",
+            hint: "Independent points know nothing of each other: of how many random numbers do you make how many points?",
+        },
+        Flaw {
+            complaint: "at even steps",
+            name: "puts a coordinate at even steps: each number has a step of its own",
+            hint: "Does a point know where the others are? Independent numbers make crowds and leave gaps.",
         },
         Flaw {
             complaint: "different x",
@@ -204,16 +200,6 @@ impl Graded for RandomPattern {
             answer: |q| each(q, |u| vec2(u.x, u.y * u.y)),
         },
         Mistake {
-            name: "adds two random numbers for x only",
-            hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle third?",
-            answer: |q| adding(q, Vec2::X),
-        },
-        Mistake {
-            name: "adds two random numbers for y only",
-            hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle third?",
-            answer: |q| adding(q, Vec2::Y),
-        },
-        Mistake {
             name: "puts x at even steps, and only y at random",
             hint: "Is the x of a point known before it is chosen? Then it is not random.",
             answer: |q| along(q, |i, u| vec2((i as f32 + 0.5) / q.n as f32, u.y)),
@@ -246,17 +232,6 @@ impl Graded for RandomPattern {
             name: "fills one half of the square only, along y",
             hint: "From where to where do your random numbers go, along each axis?",
             answer: |q| each(q, |u| vec2(u.x, 0.5 * u.y)),
-        },
-        Mistake {
-            name: "takes each point's second number for the next one's first",
-            hint: "How many random numbers do n points need?",
-            answer: |q| {
-                let numbers = each(q, |u| u);
-                let twos = numbers.iter().zip(numbers.iter().skip(1));
-                let mut all: Vec<_> = twos.map(|(one, next)| vec2(one.x, next.x)).collect();
-                all.extend(numbers.last());
-                all
-            },
         },
     ];
 }

@@ -8,6 +8,7 @@ use raybook_workbook::exercises::ch25_capstone::Trace;
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Slip {
     FirstForNearest,
+    FarthestForNearest,
     OneSidedTriangles,
     Parallelogram,
     NormalNotTurned,

@@ -193,6 +193,11 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::RefractedForNothing),
         },
         Mistake {
+            name: "takes the farthest thing that is hit",
+            hint: "Two things are in the ray's way: which of them hides the other, that of the smaller t or that of the larger?",
+            answer: |q| answer(q, Slip::FarthestForNearest),
+        },
+        Mistake {
             name: "hits triangles from the front only",
             hint: "Walk round the triangle: is it there when you look from behind?",
             answer: |q| answer(q, Slip::OneSidedTriangles),

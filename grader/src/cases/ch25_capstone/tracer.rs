@@ -148,10 +148,11 @@ impl Tracer<'_> {
             let culled = self.is(Slip::OneSidedTriangles) && triangle && from_behind();
             (!culled).then_some((object, hit))
         });
-        if self.is(Slip::FirstForNearest) {
-            hits.next()
-        } else {
-            hits.min_by(|(_, a), (_, b)| a.t.total_cmp(&b.t))
+        let by_distance = |(_, a): &(_, Hit), (_, b): &(_, Hit)| a.t.total_cmp(&b.t);
+        match self.slip {
+            Slip::FirstForNearest => hits.next(),
+            Slip::FarthestForNearest => hits.max_by(by_distance),
+            _ => hits.min_by(by_distance),
         }
     }
 

@@ -33,7 +33,8 @@ fn stepped(p: Photon, step: f64) -> Photon {
 /// How the velocity changes at a place, by its steps.
 fn pull_by_steps(way: &mut Way, p: Photon) -> DVec3 {
     let across = way.part("x, in x × v", p.x);
-    let h = way.part("h = |x × v|", across.cross(p.v).length());
+    let along = way.part("v, in x × v", p.v);
+    let h = way.part("h = |x × v|", across.cross(along).length());
     let square = way.part("h²", h * h);
     let r = way.part("|x|", p.x.length());
     let power = way.part("|x|⁵", r.powi(5));

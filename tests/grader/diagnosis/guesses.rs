@@ -66,7 +66,7 @@ fn one_value_of_a_number_is_no_function() {
 fn numbers_that_are_nearly_right_are_in_no_other_order() {
     let found = diagnosed("geodesic_step", |q| {
         let (x, v, step) = (DVec3::from_slice(q), DVec3::from_slice(&q[3..]), q[6]);
-        let h2 = x.cross(v.normalize()).length_squared();
+        let h2 = x.cross(v).length().powf(1.8);
         let pull = |x: DVec3| -1.5 * h2 / x.length().powi(5) * x;
         let half = v + 0.5 * step * pull(x);
         let after = x + step * half;
@@ -235,8 +235,7 @@ fn the_texel_beside_the_right_one_is_named() {
         let y = ((place[1] * height as f64) as usize).min(height - 1);
         Some(vec![texels[y.saturating_sub(1) * width + x] / all])
     });
-    let told = "goes wrong at the step “its texel's row, from 0”: takes the value minus 1";
-    assert_eq!(found.name, told);
+    assert_eq!(found.name, "is one row too high");
 }
 
 #[test]

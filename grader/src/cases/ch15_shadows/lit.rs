@@ -253,5 +253,18 @@ impl Graded for Lit {
                 Self::misread(q, |q| q.spheres.retain(between))
             },
         },
+        Mistake {
+            name: "goes away from the light",
+            hint: "From the surface to the light: in which direction?",
+            answer: |q| {
+                let way = shadow(q);
+                let back = Lit {
+                    position: way.origin,
+                    toward: -q.toward,
+                    ..q.clone()
+                };
+                u32::from(!blocked(&back, &q.spheres, way.within))
+            },
+        },
     ];
 }

@@ -351,6 +351,33 @@ impl Graded for SampleSphereLight {
                 all
             },
         },
+        Mistake {
+            name: "takes the diameter for the radius in the cone's angle",
+            hint: "Draw the cone and the radius to where it touches the sphere: how long is the side across from its angle?",
+            answer: |q| {
+                let squared = (2.0 * q.radius / q.at.distance(q.center)).powi(2);
+                if squared < 1.0 {
+                    wide(q, 1.0 - (1.0 - squared).sqrt())
+                } else {
+                    Self::answer(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes πr²/d² for the solid angle, which is right far away only",
+            hint: "From close by, does a ball look as large as a flat disc at the distance of its centre?",
+            answer: |q| {
+                let squared = (q.radius / q.at.distance(q.center)).powi(2);
+                cone(q, |u, cap| {
+                    let solid = if squared < 1.0 {
+                        PI * squared
+                    } else {
+                        TAU * cap
+                    };
+                    (u.x * cap, TAU * u.y, 1.0 / solid)
+                })
+            },
+        },
     ];
 }
 

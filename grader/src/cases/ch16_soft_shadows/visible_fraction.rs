@@ -395,6 +395,37 @@ impl Graded for VisibleFraction {
             hint: "How much of the light is seen where nothing is in the way?",
             answer: |q| exact(q).iter().map(|f| 2.0 * f).collect(),
         },
+        Mistake {
+            name: "takes the middle of the light along b",
+            hint: "Does each sample have two random numbers of its own?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x, 0.5), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes the middle of the light along a",
+            hint: "Does each sample have two random numbers of its own?",
+            answer: |q| seen(q, 16, |u| Vec2::new(0.5, u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes the root of a ball's radius for its radius",
+            hint: "What do you compare: two lengths, or their squares?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls
+                        .iter_mut()
+                        .for_each(|ball| ball.radius = ball.radius.sqrt());
+                })
+            },
+        },
+        Mistake {
+            name: "asks from the first point, for all of them",
+            hint: "Which point do the ways of the second fraction begin at?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let first = q.points.first().copied().unwrap_or_default();
+                    q.points.fill(first);
+                })
+            },
+        },
     ];
 }
 

@@ -61,6 +61,24 @@ fn top_for_bottom(mut p: CubePlace) -> CubePlace {
     p
 }
 
+/// A quarter turn of the face, seen from inside.
+fn clockwise(p: CubePlace) -> CubePlace {
+    CubePlace {
+        u: 1.0 - p.v,
+        v: p.u,
+        ..p
+    }
+}
+
+/// The same the other way round.
+fn counter_clockwise(p: CubePlace) -> CubePlace {
+    CubePlace {
+        u: p.v,
+        v: 1.0 - p.u,
+        ..p
+    }
+}
+
 impl Graded for DirectionToCube {
     fn random(rng: &mut Pcg) -> DirectionToCube {
         asks(sample::direction(rng))
@@ -439,6 +457,26 @@ impl Graded for DirectionToCube {
                     ..p
                 }
             },
+        },
+        Mistake {
+            name: "has the ceiling +y turned by a quarter turn, clockwise",
+            hint: "Look at -z and raise your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[2], |p| clockwise(p)),
+        },
+        Mistake {
+            name: "has the ceiling +y turned by a quarter turn, counter-clockwise",
+            hint: "Look at -z and raise your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[2], |p| counter_clockwise(p)),
+        },
+        Mistake {
+            name: "has the floor -y turned by a quarter turn, clockwise",
+            hint: "Look at -z and lower your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[3], |p| clockwise(p)),
+        },
+        Mistake {
+            name: "has the floor -y turned by a quarter turn, counter-clockwise",
+            hint: "Look at -z and lower your eyes: at which edge of that face do you arrive?",
+            answer: |q| on(q, &[3], |p| counter_clockwise(p)),
         },
     ];
 

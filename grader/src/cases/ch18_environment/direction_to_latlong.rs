@@ -120,11 +120,6 @@ impl Graded for DirectionToLatlong {
             answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.z, -d.y))),
         },
         Mistake {
-            name: "takes +z for up, and looks along -y",
-            hint: "Which axis is up on this map, and which is in its middle?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.z, d.y))),
-        },
-        Mistake {
             name: "has -x in the middle",
             hint: "Which two components does the angle around the y axis come from, and in which order?",
             answer: |q| Self::answer(&turned(q, |d| vec3(-d.z, d.y, d.x))),

@@ -152,6 +152,11 @@ impl Graded for PanoramaRay {
             hint: "On a sphere, how high above the horizon is what you see at an angle of 45°, and how far away?",
             answer: |q| at_height(q, PI * (0.5 - q.film.y)),
         },
+        Mistake {
+            name: "sees half of the way from the sky to the ground only",
+            hint: "From the top edge of the picture to its bottom edge, from which direction to which do you look?",
+            answer: |q| along(q, TAU * (q.film.x - 0.5), 0.25 * PI + 0.5 * PI * q.film.y),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -265,5 +265,20 @@ impl Graded for Jittered {
                 all
             },
         },
+        Mistake {
+            name: "squares the number that places a point along x",
+            hint: "Is every place in a cell as likely as any other?",
+            answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x * u.x, u.y)) / count),
+        },
+        Mistake {
+            name: "squares the number that places a point along y",
+            hint: "Is every place in a cell as likely as any other?",
+            answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, u.y * u.y)) / count),
+        },
+        Mistake {
+            name: "squares the numbers that place a point",
+            hint: "Is every place in a cell as likely as any other?",
+            answer: |q| cells(q, |cell, count, u| (cell + u * u) / count),
+        },
     ];
 }

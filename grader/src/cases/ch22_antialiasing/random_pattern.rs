@@ -233,6 +233,21 @@ impl Graded for RandomPattern {
             hint: "From where to where do your random numbers go, along each axis?",
             answer: |q| each(q, |u| vec2(u.x, 0.5 * u.y)),
         },
+        Mistake {
+            name: "takes the root of its numbers",
+            hint: "Which share of your x is below a half?",
+            answer: |q| each(q, |u| vec2(u.x.sqrt(), u.y.sqrt())),
+        },
+        Mistake {
+            name: "takes the root of its numbers for x only",
+            hint: "Which share of your x is below a half, and which of your y?",
+            answer: |q| each(q, |u| vec2(u.x.sqrt(), u.y)),
+        },
+        Mistake {
+            name: "takes the root of its numbers for y only",
+            hint: "Which share of your y is below a half, and which of your x?",
+            answer: |q| each(q, |u| vec2(u.x, u.y.sqrt())),
+        },
     ];
 }
 

@@ -263,6 +263,20 @@ impl Graded for NeedsMore {
                 }
             },
         },
+        Mistake {
+            name: "divides the difference by the mean",
+            hint: "The sum of the largest and the least is twice what is between them: which of the two does the task divide by?",
+            answer: |q| {
+                let samples = q.samples.len() as f32;
+                let limits = q.contrast.channels();
+                let is_above = |i: usize| {
+                    let [max, min] = range(q, i);
+                    let sum: f32 = q.samples.iter().map(|s| s.channels()[i]).sum();
+                    sum > 0.0 && (max - min) / (sum / samples) > limits[i]
+                };
+                decide(q, (0..3).any(is_above), standard_error(q))
+            },
+        },
     ];
 }
 

@@ -3,6 +3,7 @@
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
 
 /// How much larger than the least the sum may be: whole numbers can be rounded in more than one way.
@@ -257,6 +258,24 @@ impl Graded for SpendBudget {
             name: "shares in inverse proportion to the deviation",
             hint: "Twice the deviation: does that want more samples, or fewer?",
             answer: |q| shares(q, q.least, |d| 1.0 / d.max(1e-6)),
+        },
+        Mistake {
+            name: "returns the counts by size, the least first",
+            hint: "To which pixel belongs the first of your counts, if you sort them?",
+            answer: |q| {
+                let mut counts = Self::answer(q);
+                counts.sort_unstable();
+                counts
+            },
+        },
+        Mistake {
+            name: "returns the counts by size, the largest first",
+            hint: "To which pixel belongs the first of your counts, if you sort them?",
+            answer: |q| {
+                let mut counts = Self::answer(q);
+                counts.sort_unstable_by(|a, b| b.cmp(a));
+                counts
+            },
         },
     ];
 }

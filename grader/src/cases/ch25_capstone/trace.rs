@@ -462,6 +462,16 @@ impl Graded for Trace {
             hint: "A sail between the lamp and the floor: does light come through? Which of the three shapes does your loop ask?",
             answer: |q| answer(q, Slip::LightThroughTriangles),
         },
+        Mistake {
+            name: "takes the direction to the light for its mirror direction in the highlight",
+            hint: "Where do you have to stand to see a lamp in a polished floor: beside the lamp?",
+            answer: |q| answer(q, Slip::LightForMirrored),
+        },
+        Mistake {
+            name: "lets light get weaker with the cube of the distance",
+            hint: "How does the area of a sphere grow with its radius? Is a vector that you divide by normalised already?",
+            answer: |q| answer(q, Slip::FalloffByCube),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

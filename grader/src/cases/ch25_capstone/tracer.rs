@@ -205,17 +205,15 @@ impl Tracer<'_> {
                 return None;
             }
             let mut light = lamp.sample(at.position, Vec2::ZERO)?;
-            if self.is(Slip::NoFalloff) {
-                light.arriving = lamp.intensity;
-            }
-            match self.slip {
-                Slip::LampIsAPower => light.arriving = light.arriving / (4.0 * PI),
-                Slip::LampsTwiceAsBright => light.arriving = light.arriving * 2.0,
-                _ => {}
-            }
-            if self.is(Slip::FalloffByDistance) {
-                light.arriving = lamp.intensity / (lamp.position - at.position).length();
-            }
+            let distance = light.distance;
+            light.arriving = match self.slip {
+                Slip::NoFalloff => lamp.intensity,
+                Slip::FalloffByDistance => lamp.intensity / distance,
+                Slip::FalloffByCube => lamp.intensity / distance.powi(3),
+                Slip::LampIsAPower => light.arriving / (4.0 * PI),
+                Slip::LampsTwiceAsBright => light.arriving * 2.0,
+                _ => light.arriving,
+            };
             let arrives = self.arrives(at, view, &light);
             let is_above = light.toward.dot(*at.facing(view)) > 0.0;
             is_over = self.is(Slip::ShadowEndsTheLoop) && is_above && !arrives;
@@ -269,6 +267,7 @@ impl Tracer<'_> {
         let highlight = match self.slip {
             Slip::ViewTurned => reflect(light.toward, normal).dot(*view),
             Slip::HalfVector => half.dot(*normal),
+            Slip::LightForMirrored => light.toward.dot(*view),
             _ => reflect(-light.toward, normal).dot(*view),
         };
         let shine = phong.specular * highlight.max(0.0).powf(phong.exponent);

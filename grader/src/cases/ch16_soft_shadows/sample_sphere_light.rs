@@ -85,21 +85,23 @@ impl Graded for SampleSphereLight {
         let cap = cap(q);
         let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
         let basis = Basis::around(axis);
-        // The angle counts from anywhere, in either sense: from the first sample, to the side on which more of the others are.
+        // The angle counts from anywhere, in either sense: from the last sample, which is on no axis, to the side on which more of
+        // the others are.
         let aside = |c: &Chosen| vec2(c.toward.dot(*basis.x), c.toward.dot(*basis.y));
-        let first = got.first().map_or(Vec2::X, aside);
+        let last = got.last().map_or(Vec2::X, aside);
         let angle = |c: &Chosen| {
-            let angle = first.angle_to(aside(c));
+            let angle = last.angle_to(aside(c));
             if angle.is_finite() { angle } else { 0.0 }
         };
         let sense = got.iter().map(|c| angle(c).sin()).sum::<f32>().signum();
         let n = got.len().max(1) as f32;
         let place = |c: &Chosen| {
-            // What is beside the light is beside it, however far.
+            // What is beside the light is beside it, however far; and of a distant light, single precision knows a few digits.
+            let rounded = |v: f32| f64::from((400.0 * v).round() / 400.0);
             let height = (0.5 * c.toward.distance_squared(*axis) / cap).min(2.0);
             // Off the edges of the shares that are counted.
-            let turn = sense * angle(c) / TAU + 0.3 / N as f32;
-            dvec2(height.into(), turn.rem_euclid(1.0).into())
+            let turn = sense * angle(c) / TAU + 0.28 / N as f32;
+            dvec2(rounded(height), rounded(turn.rem_euclid(1.0)))
         };
         let places: Vec<_> = got.iter().map(place).collect();
         let mut traits = chosen::traits(q.radiance, got, &places, |_| 1.0 / (TAU * cap));

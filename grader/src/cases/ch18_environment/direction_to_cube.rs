@@ -62,21 +62,15 @@ fn top_for_bottom(mut p: CubePlace) -> CubePlace {
 }
 
 /// A quarter turn of the face, seen from inside.
-fn clockwise(p: CubePlace) -> CubePlace {
-    CubePlace {
-        u: 1.0 - p.v,
-        v: p.u,
-        ..p
-    }
+fn clockwise(mut p: CubePlace) -> CubePlace {
+    (p.u, p.v) = (1.0 - p.v, p.u);
+    p
 }
 
 /// The same the other way round.
-fn counter_clockwise(p: CubePlace) -> CubePlace {
-    CubePlace {
-        u: p.v,
-        v: 1.0 - p.u,
-        ..p
-    }
+fn counter_clockwise(mut p: CubePlace) -> CubePlace {
+    (p.u, p.v) = (p.v, 1.0 - p.u);
+    p
 }
 
 impl Graded for DirectionToCube {
@@ -461,22 +455,22 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "has the ceiling +y turned by a quarter turn, clockwise",
             hint: "Look at -z and raise your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[2], |p| clockwise(p)),
+            answer: |q| on(q, &[2], clockwise),
         },
         Mistake {
             name: "has the ceiling +y turned by a quarter turn, counter-clockwise",
             hint: "Look at -z and raise your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[2], |p| counter_clockwise(p)),
+            answer: |q| on(q, &[2], counter_clockwise),
         },
         Mistake {
             name: "has the floor -y turned by a quarter turn, clockwise",
             hint: "Look at -z and lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[3], |p| clockwise(p)),
+            answer: |q| on(q, &[3], clockwise),
         },
         Mistake {
             name: "has the floor -y turned by a quarter turn, counter-clockwise",
             hint: "Look at -z and lower your eyes: at which edge of that face do you arrive?",
-            answer: |q| on(q, &[3], |p| counter_clockwise(p)),
+            answer: |q| on(q, &[3], counter_clockwise),
         },
     ];
 

@@ -61,11 +61,14 @@ fn sine(q: &SampleEnvironment, row: usize, place: f64) -> f64 {
     angle.sin().abs() + 1e-9
 }
 
+/// A column and a row, and the shares of the way to the right and of the area downwards in that texel.
+type Place = ([usize; 2], [f32; 2]);
+
 /// The right directions, each in another texel or at another place in its texel. `change` says so of column and row, and of the shares of the
 /// way to the right and of the area downwards.
 fn elsewhere(
     q: &SampleEnvironment,
-    change: fn(&SampleEnvironment, [usize; 2], [f32; 2]) -> ([usize; 2], [f32; 2]),
+    change: fn(&SampleEnvironment, [usize; 2], [f32; 2]) -> Place,
 ) -> Vec<Vec3> {
     let height = q.height as usize;
     let edges = |row: usize| [row, row + 1].map(|row| latlong::cosine(row, height));

@@ -57,10 +57,8 @@ impl Tracer<'_> {
         };
         let at = object.form.surface(ray, &hit);
         let see_from = |ray: Ray| self.radiance(&ray, depth - 1, false);
-        let see_behind = |ray: Ray| {
-            let counts = u32::from(!self.is(Slip::RefractedForNothing));
-            self.radiance(&ray, depth - counts, false)
-        };
+        let counted = depth - u32::from(!self.is(Slip::RefractedForNothing));
+        let see_behind = |ray: Ray| self.radiance(&ray, counted, false);
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
             let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;

@@ -78,7 +78,7 @@ fn rounded(q: &EnvironmentPdf, columns: bool, rows: bool) -> f32 {
     }
 }
 
-/// The density of the texel so many columns to the right and rows below: columns go round, rows end.
+/// The density of the texel that is `right` columns to the right and `down` rows below: columns go round, rows end.
 fn neighbour(q: &EnvironmentPdf, right: i32, down: i32) -> f32 {
     let (x, y) = q.texel();
     let x = (x as i32 + right).rem_euclid(q.width as i32) as usize;

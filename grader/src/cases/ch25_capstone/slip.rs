@@ -37,7 +37,6 @@ pub enum Slip {
     ShadowEndsTheLoop,
     BelowTheSurface,
     RefractedFromTheWrongSide,
-    RefractedForNothing,
     MirroredFromTheWrongSide,
     FromTheSideAwayFromTheViewer,
     AlwaysFromOutside,

@@ -188,11 +188,6 @@ impl Graded for Trace {
             answer: |q| without(q, |form| matches!(form, Form::Triangle(_))),
         },
         Mistake {
-            name: "does not count a refracted ray among the surfaces in a row",
-            hint: "Each new ray may meet one surface less than the ray before: does the one behind the surface, too?",
-            answer: |q| answer(q, Slip::RefractedForNothing),
-        },
-        Mistake {
             name: "takes the farthest thing that is hit",
             hint: "Two things are in the ray's way: which of them hides the other, that of the smaller t or that of the larger?",
             answer: |q| answer(q, Slip::FarthestForNearest),

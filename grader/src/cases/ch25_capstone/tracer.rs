@@ -57,8 +57,6 @@ impl Tracer<'_> {
         };
         let at = object.form.surface(ray, &hit);
         let see_from = |ray: Ray| self.radiance(&ray, depth - 1, false);
-        let counted = depth - u32::from(!self.is(Slip::RefractedForNothing));
-        let see_behind = |ray: Ray| self.radiance(&ray, counted, false);
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
             let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
@@ -124,9 +122,9 @@ impl Tracer<'_> {
                 let off_along_it =
                     self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
                 let through = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
-                    see_behind(wrong_side(&at, refracted))
+                    see_from(wrong_side(&at, refracted))
                 } else {
-                    see_behind(self.leave(&at, refracted))
+                    see_from(self.leave(&at, refracted))
                 };
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {

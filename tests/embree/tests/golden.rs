@@ -80,6 +80,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "begins to count the nodes at 1, or counts the root twice",
     ),
     ("wide_closest", "begins to count the tests at 1"),
+    (
+        "wide_closest",
+        "counts a node for each child whose box is tested",
+    ),
 ];
 
 #[test]

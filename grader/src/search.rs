@@ -251,7 +251,7 @@ pub fn counted(what: &str, least: u32, got: u32) -> Verdict {
         Ok(())
     } else {
         Err(format!(
-            "you count {got} {what}, and no search can do with less than {least}: count each"
+            "of {what} you count {got}, and no search can do with less than {least}: count each"
         ))
     }
 }

@@ -273,14 +273,17 @@ impl<'a> Evidence<'a> {
         self.goes_as(|item| Some(item.golden().to_vec()))
     }
 
-    /// Whether most right answers are the same as these.
+    /// Whether most right answers are the same as these. Where some tell more than yes or no, only those count: an empty list is
+    /// empty by whatever method.
     pub fn goes_as(&self, answer: impl Fn(&Item) -> Option<Vec<f64>>) -> bool {
-        let right = &self.items[self.wrong..];
+        let right = || self.items[self.wrong..].iter();
+        let any_tells = right().any(|item| item.tells >= 1.0);
+        let counted = || right().filter(|item| !any_tells || item.tells >= 1.0);
         let is_same = |item: &&Item| {
             let answer = answer(item);
             answer.is_some_and(|one| self.alike(item, &self.canonical(&item.question, &one)))
         };
-        2 * right.iter().filter(is_same).count() > right.len()
+        2 * counted().filter(is_same).count() > counted().count()
     }
 
     /// The first wrong items; none if nothing is wrong.

@@ -91,7 +91,8 @@ impl Found {
             ..
         } = self.score;
         let needed = match (self.is_own(), self.is_categorical()) {
-            (true, _) => 1.0,
+            (true, false) => 1.0,
+            (true, true) => 2.0,
             (false, _) if self.rank == SEEN => 1.0,
             (false, true) => f64::INFINITY,
             (false, false) => 2.0 + f64::from(self.fitted),

@@ -39,7 +39,7 @@ impl Graded for VertexNormals {
     fn judge(_q: &VertexNormals, golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
         if golden.len() != got.len() {
             return Err(format!(
-                "there are {} vertices, but you returned {} normals",
+                "there are {} vertices, but your list of normals has the length {}",
                 golden.len(),
                 got.len()
             ));

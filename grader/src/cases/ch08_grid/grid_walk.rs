@@ -69,9 +69,8 @@ impl Graded for GridWalk {
         }
         match yours.get(right.len()) {
             Some(more) => Err(format!(
-                "your walk goes on to cell {}, but the ray is through after {} cells",
-                more.cell(),
-                right.len()
+                "your walk goes on to cell {}, but there the ray is through already",
+                more.cell()
             )),
             None => Ok(()),
         }

@@ -82,7 +82,7 @@ fn one_for_none(evidence: &Evidence<'_>, base: &Answers) -> Option<Explanation> 
             "returns {} where there is nothing to return",
             words.join(" ")
         ),
-        "How does an answer say that there is none? Write the word `none`.",
+        "How does an answer say that there is none? It is the word `none` in a line, `None` in Rust and in Python, `std::nullopt` in C++.",
         made(base, |_, base| Some(answer(base))),
     ))
 }

@@ -12,10 +12,10 @@ use glam::Vec3;
 use std::ops::{AddAssign, Div};
 
 /// Between two pixels around which a plane is fitted, in pixels, along each axis.
-const APART: usize = 6;
+const APART: usize = 4;
 
 /// A plane is also fitted around a pixel for which the weights of the planes before it have a smaller sum: it looks like few others.
-const ENOUGH: f32 = 0.5;
+const ENOUGH: f32 = 1.0;
 
 /// Maximum brightness of a pixel, in units of the brightest pixel that the other picture has around it. A brighter pixel comes
 /// from a very rare path.
@@ -55,7 +55,7 @@ impl Div<f32> for Guide {
 // ANCHOR: denoise
 /// The mean of two pictures of the same view, made with different random numbers, with less noise and sharp edges.
 ///
-/// Around every sixth pixel p of every sixth row, a plane is fitted to the pixels q that look as p does: their colour as a
+/// Around every fourth pixel p of every fourth row, a plane is fitted to the pixels q that look as p does: their colour as a
 /// first-order function of their place and, where there are `guides`, of these. It is fitted by least squares, with weights
 /// w(p, q). Then a pixel becomes the mean of all planes around it, with the same weights (Bitterli et al., "Nonlinearly weighted
 /// first-order regression for denoising Monte Carlo renderings", 2016). So what the guides know stays sharp, as edges and

@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 mod any;
+mod first_hour;
 mod keys;
 mod picture;
 mod python;

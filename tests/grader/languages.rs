@@ -3,6 +3,7 @@
 #![cfg(unix)]
 
 mod any;
+mod drawn;
 mod first_hour;
 mod keys;
 mod picture;

@@ -1,63 +1,12 @@
 //! The steps of a calculation, one after the other, as somebody writes them down who does it by hand.
 
+mod step;
+
 use super::slip::{Comparison, Place, Slip, end_if_endless};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::ops::Range;
-
-/// A step: a value by name; or a remark, which has no value.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Step {
-    /// What it is, with its formula: "A = d·d". Of a remark the sentence.
-    pub name: Cow<'static, str>,
-    /// The value: a number, or those of a vector; none of a remark.
-    pub value: Vec<f64>,
-    /// The value's unit; empty where it has none.
-    pub unit: &'static str,
-    /// Where it is calculated.
-    pub place: Place,
-    is_told: bool,
-}
-
-/// What a step's value can be.
-pub trait Value: Copy {
-    /// Its numbers.
-    fn numbers(self) -> Vec<f64>;
-
-    /// The value with other numbers, as many as it has.
-    #[must_use]
-    fn with(self, numbers: &[f64]) -> Self;
-}
-
-impl Value for f64 {
-    fn numbers(self) -> Vec<f64> {
-        vec![self]
-    }
-
-    fn with(self, numbers: &[f64]) -> Self {
-        numbers[0]
-    }
-}
-
-impl Value for DVec2 {
-    fn numbers(self) -> Vec<f64> {
-        self.to_array().into()
-    }
-
-    fn with(self, numbers: &[f64]) -> Self {
-        Self::from_slice(numbers)
-    }
-}
-
-impl Value for DVec3 {
-    fn numbers(self) -> Vec<f64> {
-        self.to_array().into()
-    }
-
-    fn with(self, numbers: &[f64]) -> Self {
-        Self::from_slice(numbers)
-    }
-}
+pub use step::{Step, Value, words};
 
 /// A decision on the way; a remark tells what comes of it.
 #[derive(Clone, Debug, PartialEq)]
@@ -436,14 +385,4 @@ impl Way {
         }
         v
     }
-}
-
-/// Numbers as people write them: about seven digits.
-pub fn words(numbers: &[f64]) -> String {
-    let word = |v: &f64| {
-        // Seven digits are those of single precision; −0 is 0 to people.
-        let v = (*v + 0.0) as f32;
-        format!("{v:?}").trim_end_matches(".0").to_lowercase()
-    };
-    numbers.iter().map(word).collect::<Vec<_>>().join(" ")
 }

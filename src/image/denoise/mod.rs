@@ -64,7 +64,8 @@ impl Div<f32> for Guide {
 /// w = exp(−max(0, d²)), where d² is the mean over the patches around p and q of
 /// ((p − q)² − (V(p) + min(V(p), V(q))))/(ε + k²·(V(p) + min(V(q), 8 V(p)))), with k² = 0.5 and ε = 10⁻⁶ (non-local means:
 /// Rousselle, Knaus and Zwicker, "Adaptive rendering with non-local means filtering", 2012). V is the variance of a pixel,
-/// estimated from the difference of the two pictures. Each picture is fitted with the weights of the other one, so that noise does
+/// estimated from the difference of the two pictures; p, q and V are of ln(1 + colour), so that a highlight, whose noise is larger
+/// than all that is around it, does not look like it. Each picture is fitted with the weights of the other one, so that noise does
 /// not choose its own weights.
 ///
 /// The result is biased: a little too dark where a few rare paths bring much light. A pixel that is bright in only one of the
@@ -91,15 +92,16 @@ pub(crate) fn denoise_while(
     );
     let halves = [clamped(a, b), clamped(b, a)];
     let [a, b] = &halves;
-    let variance = variance(a, b);
+    let [seen_a, seen_b] = [a, b].map(compressed);
+    let variance = variance(&seen_a, &seen_b);
     let fitted = if guides.is_empty() {
         fitted::<PLACE>
     } else {
         fitted::<GUIDED>
     };
     let (a, b) = threads::join(
-        || fitted(a, guides, &Alike::new(b, &variance), go_on),
-        || fitted(b, guides, &Alike::new(a, &variance), go_on),
+        || fitted(a, guides, &Alike::new(&seen_b, &variance), go_on),
+        || fitted(b, guides, &Alike::new(&seen_a, &variance), go_on),
     );
     let pixels = a.into_iter().zip(b).map(|(a, b)| (a + b) * 0.5);
     Image {
@@ -151,6 +153,11 @@ fn fitted<const N: usize>(
         .collect()
 }
 // ANCHOR_END: denoise
+
+/// ln(1 + c) of each channel c.
+fn compressed(picture: &Image) -> Image {
+    picture.map(|p| p.map(f32::ln_1p))
+}
 
 /// The variance of each pixel in one picture: half the squared difference of the two pictures, averaged over 3 × 3 pixels.
 fn variance(a: &Image, b: &Image) -> Image {
@@ -237,6 +244,27 @@ mod tests {
         let clean = denoise(&pictures, &[]);
         for (x, y) in [(40, 10), (41, 10), (38, 12)] {
             assert!(clean.at(x, y).g < 1.2, "{}", clean.at(x, y).g);
+        }
+    }
+
+    #[test]
+    fn a_highlight_stays_as_small_as_it_is() {
+        let in_the_sun = |x: usize, y: usize| x.abs_diff(24) <= 1 && y.abs_diff(12) <= 1;
+        let metal = |seed: u64| {
+            let mut rng = pcg::stream(seed, 5);
+            Image::from_fn(48, 24, |x, y| {
+                let radiance = if in_the_sun(x, y) { 500.0 } else { 0.3 };
+                Rgb::gray(radiance * rng.random_range(0.5..1.5))
+            })
+        };
+        let clean = denoise(&[metal(1), metal(2)], &[]);
+        for (x, y) in (0..48 * 24).map(|i| (i % 48, i / 48)) {
+            let seen = clean.at(x, y).g;
+            assert_eq!(
+                in_the_sun(x, y),
+                seen > 1.0,
+                "{seen} in column {x}, row {y}"
+            );
         }
     }
 

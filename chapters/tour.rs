@@ -9,7 +9,7 @@ use crate::kit::{captions, gallery, gallery::Drawing};
 use crate::lesson::Lesson;
 use clap::Args;
 use indicatif::MultiProgress;
-use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::curriculum::{self, CHAPTERS};
 use std::time::Instant;
 
 /// The options of `raybook tour`.
@@ -83,8 +83,8 @@ impl Tour {
                 .collect::<Vec<_>>()
                 .join(", ")
         };
-        let answered = |word: &String| CHAPTERS.iter().any(|c| c.answers_to(word));
-        if let Some(wrong) = self.only.iter().find(|word| !answered(word)) {
+        let mut words = self.only.iter();
+        if let Some(wrong) = words.find(|word| curriculum::called(word).is_none()) {
             return Err(format!(
                 "--only {wrong}: no chapter is called so; there are {}",
                 names()

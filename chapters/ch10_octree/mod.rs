@@ -86,7 +86,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             let name = format!("{depth} cuts: {} cells", cells.len());
             (name, photograph(&small(&film), &mesh, cells, Vec::new()))
         });
-        let tiles = tiles.each_ref().map(|(name, tile)| (&**name, tile.clone()));
         let caption = "The cells that are not empty, level by level. A surface goes through about four of a small cell's eight children: then each level has about four times as many cells as the level above.";
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
     }

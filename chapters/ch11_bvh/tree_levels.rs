@@ -30,10 +30,6 @@ pub(super) fn figure<S: Shape>(
         (label, blocks(film, room, &boxes))
     });
     let tiles: Vec<_> = tiles.collect();
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(label, tile)| (label.as_str(), tile.clone()))
-        .collect();
     sheet(2, &tiles)
 }
 

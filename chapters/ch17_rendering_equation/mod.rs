@@ -89,10 +89,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("inter_reflections") {
-        let few = Film {
-            samples: film.samples.div_ceil(4),
-            ..film
-        };
         let global = knobs.depth.map_or_else(
             || "with inter-reflections".to_owned(),
             |depth| format!("with a maximum depth of {depth}"),
@@ -101,7 +97,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let tiles = [
             (
                 "light straight from the lamp",
-                denoised(&few, &cornell_box, Path { depth: 1, ..path }),
+                denoised(&film.halved(), &cornell_box, Path { depth: 1, ..path }),
             ),
             (global, picture.clone()),
         ];

@@ -1,7 +1,6 @@
 //! Scenes for path tracing, each with its camera, and the error of a strategy's pictures.
 
 use crate::kit::sheet::sheet;
-use crate::lab::sheets::named;
 use glam::Vec3;
 use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
 use raybook::image::Image;
@@ -123,5 +122,5 @@ pub(super) fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
         let error = of_half * FRAC_1_SQRT_2;
         tiles.push((format!("{name}: error {:.0} %", 100.0 * error), picture));
     }
-    sheet(STRATEGIES.len(), &named(&tiles))
+    sheet(STRATEGIES.len(), &tiles)
 }

@@ -1,4 +1,4 @@
-//! The noise of few samples of a lens: a detail of the tea table with 4 and with 128 random points, and with 4 points that are
+//! The noise of few samples of a lens: a detail of the tea table with 4 and with 64 random points, and with 4 points that are
 //! spread evenly.
 
 use super::tea_table::{DETAIL, EYE, FOCAL_LENGTH};
@@ -39,7 +39,7 @@ pub(super) fn draw(tile: &Film, scene: &Scene, whitted: &Whitted) -> Result<Imag
     });
     let tiles = [
         ("4 samples", by_chance(4)),
-        ("128 samples", by_chance(128)),
+        ("64 samples", by_chance(64)),
         ("4, spread evenly", spread),
     ];
     sheet(3, &tiles)

@@ -12,7 +12,6 @@ pub mod tea_table;
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use crate::lab::sheets::named;
 use clap::Args;
 use glam::Vec3;
 use raybook::camera::aperture::Aperture;
@@ -116,7 +115,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             "The same focus, {focus} m, with four apertures: a larger aperture blurs more. Through a pin-hole everything is sharp, \
             and a lamp is no larger than a pixel."
         );
-        stage.figure("apertures", &caption, &sheet(2, &named(&tiles))?)?;
+        stage.figure("apertures", &caption, &sheet(2, &tiles)?)?;
     }
 
     if stage.wants("focus_pull") {
@@ -131,7 +130,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let caption = format!(
             "A focus pull at f/{f_number}: as the film moves towards the lens, the plane in focus moves away from the lens, from teapot to teapot, and to the lamps far behind."
         );
-        stage.figure("focus_pull", &caption, &sheet(6, &named(&tiles))?)?;
+        stage.figure("focus_pull", &caption, &sheet(6, &tiles)?)?;
     }
 
     if stage.wants("bokeh") {

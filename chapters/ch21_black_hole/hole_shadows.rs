@@ -28,10 +28,6 @@ pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
         let fan = Fan::new(r * Vec3::Z, FRAC_PI_2.into(), 0.25 * pixel);
         (name, film.refine(|place, _| seen(&fan, edge as f32, place)))
     });
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(name, tile)| (name.as_str(), tile.clone()))
-        .collect();
     sheet(4, &tiles)
 }
 

@@ -134,7 +134,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let caption = "Rings that become finer to the right and downwards, with 1, 4 and 16 samples per pixel. Regular patterns \
             show rings that do not exist; with the regular grid they are as bright as the true rings. Randomness turns the false \
             rings into noise, and the better patterns leave little of both.";
-        let figure = sheet(columns, &sheets::named(&tiles))?;
+        let figure = sheet(columns, &tiles)?;
         stage.figure("zone_plates", caption, &figure)?;
     }
 

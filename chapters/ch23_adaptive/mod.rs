@@ -97,10 +97,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         for (name, done) in &rules {
             tiles.push((format!("{name}: {}", spent(done)), map(&done.spent, limits)));
         }
-        let tiles: Vec<_> = tiles
-            .iter()
-            .map(|(name, tile)| (name.as_str(), tile.clone()))
-            .collect();
         let caption = "The number of rays of each pixel, from dark blue for the fewest to yellow for the most. The contrast rule \
             sees the edges of dark squares as well as those of bright squares; the rule of variance prefers bright edges; a budget \
             spends exactly the given number of rays.";

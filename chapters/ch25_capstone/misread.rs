@@ -75,8 +75,5 @@ pub(super) fn sheet(photograph: &Photograph) -> Result<Image, Box<dyn Error>> {
             ("difference".to_owned(), difference),
         ]);
     }
-    let titled = tiles
-        .iter()
-        .map(|(title, tile)| (title.as_str(), tile.clone()));
-    sheet::sheet(3, &titled.collect::<Vec<_>>())
+    sheet::sheet(3, &tiles)
 }

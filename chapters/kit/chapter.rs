@@ -54,7 +54,10 @@ pub fn draw_as(called: &str, chapter: &str, words: &[OsString]) -> Drawn {
             (_, Some(_)) => " and .svg",
             _ => "",
         };
-        say(format!("wrote {}{beside}", output.png.display()));
+        say(format!(
+            "wrote {}{beside}",
+            Untrusted::from(output.png.as_path())
+        ));
     }
     Ok(())
 }

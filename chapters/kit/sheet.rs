@@ -17,7 +17,7 @@ const GAP: usize = 12;
 ///
 /// # Panics
 /// If there is no tile, or they differ in size.
-pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Sheet {
+pub fn sheet(columns: usize, tiles: &[(impl AsRef<str>, Image)]) -> Sheet {
     let (width, height) = (tiles[0].1.width(), tiles[0].1.height());
     assert!(
         tiles
@@ -32,7 +32,7 @@ pub fn sheet(columns: usize, tiles: &[(&str, Image)]) -> Sheet {
     let mut whole = Image::from_fn(columns * across + GAP, rows * down + GAP, |_, _| Rgb::WHITE);
     for (i, (text, tile)) in tiles.iter().enumerate() {
         let (left, top) = (GAP + i % columns * across, GAP / 2 + i / columns * down);
-        paste(&mut whole, &caption(text, width, band)?, left, top);
+        paste(&mut whole, &caption(text.as_ref(), width, band)?, left, top);
         paste(&mut whole, tile, left, top + band);
     }
     Ok(whole)

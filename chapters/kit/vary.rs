@@ -130,10 +130,6 @@ pub fn draw(
     }
     let png = folder.join(format!("vary_{}.png", what.name));
     let tiles = as_large(&tiles);
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(label, tile)| (label.as_str(), tile.clone()))
-        .collect();
     let shown = if vary.animate {
         let frames = tiles.chunks(1).map(|tile| sheet(1, tile));
         let frames = frames.collect::<Result<Vec<_>, _>>()?;

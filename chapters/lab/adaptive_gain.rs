@@ -36,7 +36,7 @@ pub fn measure(
 ) -> ErrorPlot {
     let exact = Film {
         samples: reference,
-        seed: film.seed + 1,
+        seed: film.seed.wrapping_add(1),
         ..*film
     };
     let exact = supersample(&exact, pattern, see);

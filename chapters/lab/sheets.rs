@@ -79,14 +79,6 @@ pub fn zone_plates(
     (subjects.len(), tiles.collect())
 }
 
-/// The tiles as a sheet wants them.
-pub fn named(tiles: &[(String, Image)]) -> Vec<(&str, Image)> {
-    let named = tiles.iter();
-    named
-        .map(|tile| (tile.0.as_str(), tile.1.clone()))
-        .collect()
-}
-
 /// Each filter's picture of edges, enlarged, and below it the filter.
 ///
 /// # Errors

@@ -5,7 +5,6 @@ use crate::examine::Examiner;
 use crate::triple::PictureSize;
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
-use raybook_workbook::row;
 use std::io;
 
 /// The sides of the blocks of the passes, in pixels: each pass asks what the one before left out.
@@ -78,7 +77,7 @@ pub fn draw(
     };
     let PictureSize { width, height, .. } = size;
     let exercise = examiner.asked();
-    let question = |x: u32, y: u32| examiner.pixel(picture, x, y).unwrap_or_default();
+    let question = |x: u32, y: u32| examiner.pixel_numbers(picture, x, y);
     let colour = |question: &[f64], answer: &[f64]| {
         let colour = examiner.colour(picture, question, answer);
         colour.unwrap_or(MISSING)
@@ -97,7 +96,7 @@ pub fn draw(
     let (mut missing, mut first_why) = (0, None);
     for (block, pixels) in passes(width, height) {
         let line = |&(x, y): &(u32, u32)| {
-            let question = row::format(exercise.question, &question(x, y));
+            let question = examiner.pixel_question(picture, x, y);
             format!("{} {question}", exercise.name)
         };
         let asked: Vec<_> = pixels.iter().map(line).collect();

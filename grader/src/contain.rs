@@ -22,6 +22,8 @@ pub struct Held {
     /// The process, head of a group of its own.
     pub child: Child,
     mark: String,
+    /// Whether it has been ended.
+    ended: bool,
 }
 
 /// The groups' numbers and the marks of all that is held now.
@@ -51,7 +53,8 @@ pub fn start(command: &mut Command, sandbox: Option<&Sandbox>) -> io::Result<Hel
         None => command.spawn()?,
     };
     held.push((child.id(), mark.clone()));
-    Ok(Held { child, mark })
+    let ended = false;
+    Ok(Held { child, mark, ended })
 }
 
 impl Held {
@@ -67,6 +70,12 @@ impl Held {
         } else {
             None
         };
+        self.kill(status)
+    }
+
+    /// Ends all of it; `status` is how the process ended, if it has.
+    fn kill(&mut self, status: Option<ExitStatus>) -> Option<ExitStatus> {
+        self.ended = true;
         // The child may have ended and been waited for, but its own children may not.
         signal_group(self.child.id(), Signal::Kill);
         #[cfg(not(unix))]
@@ -75,6 +84,15 @@ impl Held {
         kill_left(self.child.id(), &self.mark);
         held().retain(|(_, mark)| *mark != self.mark);
         status
+    }
+}
+
+/// Nothing of it is left, even where nobody came to end it.
+impl Drop for Held {
+    fn drop(&mut self) {
+        if !self.ended {
+            self.kill(None);
+        }
     }
 }
 

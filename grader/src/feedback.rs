@@ -8,7 +8,7 @@ use crate::examine::Examiner;
 use crate::pictured;
 use crate::prints::{self, abbreviated, first_difference, short};
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::curriculum;
 use std::path::Path;
 
 /// One line on an exercise: its state, its name, and how many cases are right.
@@ -111,8 +111,7 @@ fn already_right(report: &Report) -> Option<String> {
 
 /// Where the book derives an exercise.
 pub fn derived(exercise: &str) -> Option<String> {
-    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == exercise);
-    let chapter = CHAPTERS.iter().find(holds)?;
+    let chapter = curriculum::of_exercise(exercise)?;
     let (number, title) = (chapter.number(), chapter.title);
     let short = &chapter.name[..4];
     Some(format!(

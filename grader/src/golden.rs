@@ -4,7 +4,7 @@
 //! may be written without an answer: the answer is the reference's, the others are the file's.
 
 use crate::examine::{Cases, CasesError, Examiner, visible_rng};
-use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::curriculum;
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::row::{self, RowError};
 use std::collections::BTreeSet;
@@ -133,10 +133,7 @@ fn wrong(at: usize, row: &str, what: &str, error: &RowError, expected: &str) -> 
 
 /// An exercise's file below `golden/`.
 pub fn path(exercise: &str) -> String {
-    let chapter = CHAPTERS.iter().find(|chapter| {
-        let mut exercises = chapter.exercises().iter();
-        exercises.any(|asked| asked.name == exercise)
-    });
+    let chapter = curriculum::of_exercise(exercise);
     let file = format!("{exercise}.txt");
     chapter.map_or(file.clone(), |chapter| format!("{}/{file}", chapter.name))
 }

@@ -13,7 +13,7 @@ use crate::{cases, manifest};
 use include_dir::File;
 use raybook::store::{self, StoreError};
 use raybook_workbook::anchor::{self, AnchorError, Anchored};
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::curriculum::{self, CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
@@ -94,8 +94,7 @@ pub fn place(language: Language, exercise: &str) -> Option<String> {
         Language::Python => "py",
         Language::Cpp => "cpp",
     };
-    let holds = |chapter: &&Chapter| chapter.exercises().iter().any(|e| e.name == exercise);
-    let chapter = CHAPTERS.iter().find(holds)?;
+    let chapter = curriculum::of_exercise(exercise)?;
     Some(format!("{}.{ending}", chapter.name))
 }
 

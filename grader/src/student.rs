@@ -8,9 +8,11 @@ use crate::sandbox::Sandbox;
 use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::Value;
-use std::io::{self, Read};
+use std::io::{self, ErrorKind};
+use std::panic::resume_unwind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
+use std::thread;
 use std::time::Duration;
 
 /// Why there is no answer program.
@@ -35,6 +37,14 @@ pub enum StudentError {
         "cannot run cargo, which builds your program: {0}; is Rust installed (https://rustup.rs)?"
     )]
     NoCargo(io::Error),
+    /// Something else of the system.
+    #[error("cannot {doing}: {reason}")]
+    System {
+        /// "make the folder `target`" or the like.
+        doing: &'static str,
+        /// What the system says.
+        reason: io::Error,
+    },
     /// The compiler refused.
     #[error("your program does not compile; the compiler's message is above")]
     DoesNotCompile,
@@ -46,6 +56,21 @@ pub enum StudentError {
         /// Its name.
         program: String,
     },
+}
+
+impl StudentError {
+    /// The error of doing something, from the reason.
+    pub(crate) fn of(doing: &'static str) -> impl FnOnce(io::Error) -> Self {
+        move |reason| Self::System { doing, reason }
+    }
+
+    /// The error of running cargo, from the reason.
+    pub(crate) fn of_cargo(reason: io::Error) -> Self {
+        match reason.kind() {
+            ErrorKind::NotFound => Self::NoCargo(reason),
+            _ => Self::of("run cargo")(reason),
+        }
+    }
 }
 
 /// The student's folder: this one, or the nearest above it that is a workbook.
@@ -164,17 +189,16 @@ pub fn build_binary(
         .current_dir(folder)
         .stdin(Stdio::null())
         .stdout(Stdio::piped());
-    let mut held = contain::start(cargo, None).map_err(StudentError::NoCargo)?;
-    let mut messages = String::new();
-    if let Some(mut output) = held.child.stdout.take() {
-        output
-            .read_to_string(&mut messages)
-            .map_err(StudentError::NoCargo)?;
-    }
+    let mut held = contain::start(cargo, None).map_err(StudentError::of_cargo)?;
+    let output = held.child.stdout.take();
+    // It is read beside: a cargo that waits for ever, and says nothing, is ended too.
+    let reader = thread::spawn(move || output.map_or(Ok(String::new()), io::read_to_string));
     let status = held.end(true, LONGEST);
     if !status.is_some_and(|status| status.success()) {
         return Err(StudentError::DoesNotCompile);
     }
+    let messages = reader.join().unwrap_or_else(|panic| resume_unwind(panic));
+    let messages = messages.map_err(StudentError::of("read what cargo says"))?;
     let executable = |line: &str| {
         let message: Value = serde_json::from_str(line).ok()?;
         let is_asked_for = message["target"]["name"] == binary;

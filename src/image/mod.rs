@@ -110,3 +110,17 @@ impl Image {
         (self.width, self.height) == (other.width, other.height) && bits(self) == bits(other)
     }
 }
+
+/// The pixels at most `reach` columns and rows away from a pixel, in a picture of this size, row by row: those outside are left out.
+pub(crate) fn around(
+    pixel: [usize; 2],
+    reach: usize,
+    size: [usize; 2],
+) -> impl Iterator<Item = [usize; 2]> {
+    let along = |axis: usize| {
+        let i: usize = pixel[axis];
+        i.saturating_sub(reach)..(i + reach + 1).min(size[axis])
+    };
+    let (columns, rows) = (along(0), along(1));
+    rows.flat_map(move |y| columns.clone().map(move |x| [x, y]))
+}

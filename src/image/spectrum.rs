@@ -31,12 +31,17 @@ pub fn xyz(nanometres: f32) -> Vec3 {
 /// The linear sRGB colour of light of one wavelength, in nanometres. A channel is negative where the light is more saturated than
 /// the display's primaries can show.
 pub fn rgb(nanometres: f32) -> Rgb {
+    to_srgb(xyz(nanometres))
+}
+
+/// The linear sRGB colour of what the eye sees as X, Y and Z.
+pub fn to_srgb(xyz: Vec3) -> Rgb {
     /// From XYZ to linear sRGB (IEC 61966-2-1), by columns.
     const TO_SRGB: Mat3 = Mat3::from_cols(
         vec3(3.240_6, -0.968_9, 0.055_7),
         vec3(-1.537_2, 1.875_8, -0.204),
         vec3(-0.498_6, 0.041_5, 1.057),
     );
-    let Vec3 { x, y, z } = TO_SRGB * xyz(nanometres);
+    let Vec3 { x, y, z } = TO_SRGB * xyz;
     Rgb::new(x, y, z)
 }

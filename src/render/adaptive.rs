@@ -1,14 +1,18 @@
 //! Adaptive supersampling: a few samples in each pixel, and more where these samples differ.
 
-use crate::image::{Image, rgb::Rgb};
+use crate::image::{Image, around, rgb::Rgb};
+use crate::math::pcg::Pcg;
 use crate::render::budget::spend_budget;
 use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
 use crate::render::needs_more::StoppingRule;
 use crate::render::supersample::Radiance;
-use crate::sample::pattern::owen::sequence;
-use glam::{Vec2, vec2};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use crate::sample::even::Even;
+use glam::Vec2;
+use rand::RngExt;
+
+/// Numbers of samples are below this power of two, on which the order of a pixel's samples depends.
+const MOST: usize = 1 << 31;
 
 /// A picture, and the number of samples of each pixel.
 #[derive(Clone, Debug)]
@@ -20,6 +24,17 @@ pub struct Adaptive {
 }
 
 impl Adaptive {
+    /// From the radiance of each pixel, and the number of its samples.
+    fn of(film: &Film, pixels: &[(Rgb, usize)]) -> Self {
+        let pixel = |x: usize, y: usize| pixels[y * film.width + x];
+        Self {
+            picture: Image::from_fn(film.width, film.height, |x, y| pixel(x, y).0),
+            spent: Image::from_fn(film.width, film.height, |x, y| {
+                Rgb::gray(pixel(x, y).1 as f32)
+            }),
+        }
+    }
+
     /// The mean number of samples per pixel.
     pub fn mean(&self) -> f64 {
         let counts = self.spent.pixels().iter().map(|p| f64::from(p.r));
@@ -41,8 +56,8 @@ pub struct Limits {
 /// Each pixel gets `limits.first` samples, and their number is doubled until the [`StoppingRule`] is kept (Whitted 1980; Mitchell
 /// 1987).
 ///
-/// The samples of a pixel are the beginning of one Sobol sequence, scrambled by Owen's method: so all of them together are as
-/// even as if their number had been known before.
+/// The places of a pixel's samples are the beginning of one Sobol sequence with Owen's scrambling ([`Even`]): so all of them
+/// together are as even as if their number had been known before.
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,
     limits: Limits,
@@ -50,14 +65,13 @@ pub fn adaptive<S: Into<Followed>>(
     radiance: impl Radiance<S>,
 ) -> Adaptive {
     let most = limits.most.max(1);
-    let spent = Counts::new(film);
-    let picture = film.render_pixels(|x, y, rng| {
-        let point = sequence(rng);
+    let pixels = film.each_pixel(&|x, y, rng| {
+        let point = points(rng);
         let (mut seen, mut goal) = (Vec::new(), limits.first.clamp(1, most));
         let mut rays = 0;
         loop {
             for i in seen.len()..goal {
-                let sample: Followed = radiance(place(film, x, y, point(i as u32)), rng).into();
+                let sample: Followed = radiance(film.place([x, y], point(i)), rng).into();
                 seen.push(sample.radiance);
                 rays += sample.rays;
             }
@@ -66,14 +80,10 @@ pub fn adaptive<S: Into<Followed>>(
             }
             goal = (2 * goal).min(most);
         }
-        spent.set(x, y, seen.len());
-        let radiance = seen.iter().copied().sum::<Rgb>() / seen.len() as f32;
-        Followed { radiance, rays }
+        let mean = seen.iter().copied().sum::<Rgb>() / seen.len() as f32;
+        ((mean, seen.len()), rays)
     });
-    Adaptive {
-        picture,
-        spent: spent.image(),
-    }
+    Adaptive::of(film, &pixels)
 }
 // ANCHOR_END: adaptive
 
@@ -90,51 +100,38 @@ pub fn by_budget<S: Into<Followed>>(
     radiance: impl Radiance<S>,
 ) -> Adaptive {
     let first = first.max(2);
-    let deviations = Counts::new(film);
-    let begun = film.render_pixels(|x, y, rng| {
-        let points = (0..first as u32).map(sequence(rng));
-        let see = |p| radiance(place(film, x, y, p), rng).into();
+    let begun = film.each_pixel(&|x, y, rng| {
+        let points = (0..first).map(points(rng));
+        let see = |p| radiance(film.place([x, y], p), rng).into();
         let seen: Vec<Followed> = points.map(see).collect();
-        deviations.set(x, y, deviation(&seen).to_bits() as usize);
-        seen.into_iter().sum::<Followed>()
+        let sum = seen.iter().copied().sum::<Followed>();
+        ((sum.radiance, deviation(&seen)), sum.rays)
     });
-    let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
-    let of = |x: usize, y: usize| f32::from_bits(deviations.get(x, y) as u32);
-    let largest: Vec<_> = (0..film.width * film.height)
+    let (width, size) = (film.width, [film.width, film.height]);
+    let largest: Vec<_> = (0..begun.len())
         .map(|i| {
-            let (xs, ys) = (
-                near(i % film.width, film.width),
-                near(i / film.width, film.height),
-            );
-            ys.flat_map(|y| xs.clone().map(move |x| of(x, y)))
+            let near = around([i % width, i / width], 1, size);
+            near.map(|[x, y]| begun[y * width + x].1)
                 .fold(0.0, f32::max)
         })
         .collect();
     let budget = u32::try_from(mean.saturating_mul(largest.len())).unwrap_or(u32::MAX);
     let counts = spend_budget(&largest, first as u32, budget);
-    let count = |x: usize, y: usize| counts[y * film.width + x] as usize;
     // The first pass has already reported every pixel as done.
     let again = Film {
         progress: &|done| (film.progress)(Done { pixels: 0, ..done }),
         ..*film
     };
-    let picture = again.render_pixels(|x, y, rng| {
-        let points = (first as u32..count(x, y) as u32).map(sequence(rng));
-        let rest = points.map(|p| radiance(place(film, x, y, p), rng).into());
+    let pixels = again.each_pixel(&|x, y, rng| {
+        let i = y * width + x;
+        let count = counts[i] as usize;
+        let points = (first..count).map(points(rng));
+        let rest = points.map(|p| radiance(film.place([x, y], p), rng).into());
         let rest: Followed = rest.sum();
-        Followed {
-            radiance: (begun.at(x, y) + rest.radiance) / count(x, y) as f32,
-            ..rest
-        }
+        let mean = (begun[i].0 + rest.radiance) / count as f32;
+        ((mean, count), rest.rays)
     });
-    Adaptive {
-        picture,
-        spent: Image::from_fn(
-            film.width,
-            film.height,
-            |x, y| Rgb::gray(count(x, y) as f32),
-        ),
-    }
+    Adaptive::of(film, &pixels)
 }
 // ANCHOR_END: by_budget
 
@@ -149,40 +146,8 @@ fn deviation(seen: &[Followed]) -> f32 {
     (squares / (n - 1.0)).sqrt()
 }
 
-/// The place on the film, in [0, 1]², of the point p, in [0, 1)², of pixel (x, y).
-fn place(film: &Film, x: usize, y: usize, p: Vec2) -> Vec2 {
-    (vec2(x as f32, y as f32) + p) / vec2(film.width as f32, film.height as f32)
-}
-
-/// A whole number for each pixel, set by any thread.
-struct Counts {
-    width: usize,
-    height: usize,
-    of_pixels: Vec<AtomicUsize>,
-}
-
-impl Counts {
-    fn new(film: &Film) -> Self {
-        Self {
-            width: film.width,
-            height: film.height,
-            of_pixels: (0..film.width * film.height)
-                .map(|_| AtomicUsize::new(0))
-                .collect(),
-        }
-    }
-
-    fn set(&self, x: usize, y: usize, count: usize) {
-        self.of_pixels[y * self.width + x].store(count, Ordering::Relaxed);
-    }
-
-    fn get(&self, x: usize, y: usize) -> usize {
-        self.of_pixels[y * self.width + x].load(Ordering::Relaxed)
-    }
-
-    fn image(&self) -> Image {
-        Image::from_fn(self.width, self.height, |x, y| {
-            Rgb::gray(self.get(x, y) as f32)
-        })
-    }
+/// The points of a pixel, in [0, 1)², for as many samples as it will get.
+fn points(rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
+    let key = rng.random();
+    move |i| Even::new(key, i, MOST).pair()
 }

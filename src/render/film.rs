@@ -108,6 +108,12 @@ impl Film<'_> {
         if goes_on() { denoised } else { first }
     }
 
+    /// The place on the film, in [0, 1]² from the top left, of a point of the pixel in column x and row y; the point is in [0, 1)² from
+    /// the pixel's top left corner.
+    pub fn place(&self, [x, y]: [usize; 2], point: Vec2) -> Vec2 {
+        (vec2(x as f32, y as f32) + point) / vec2(self.width as f32, self.height as f32)
+    }
+
     /// Width over height.
     pub fn aspect(&self) -> f32 {
         self.width as f32 / self.height as f32
@@ -125,10 +131,7 @@ impl Film<'_> {
         self.render_pixels(|x, y, rng| {
             let places = place_in_pixel(self.samples, rng);
             let sum: Followed = (0..self.samples)
-                .map(|i| {
-                    let place = vec2(x as f32, y as f32) + places(i);
-                    radiance(place / vec2(self.width as f32, self.height as f32), rng).into()
-                })
+                .map(|i| radiance(self.place([x, y], places(i)), rng).into())
                 .sum();
             sum.mean_of(self.samples)
         })

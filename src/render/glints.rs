@@ -8,7 +8,7 @@ use crate::render::film::{Done, Film, place_in_pixel};
 use std::f32::consts::FRAC_PI_4;
 
 /// Number of rays for each pixel that a light's disc covers: enough that the disc shows no grain.
-const PER_PIXEL: f32 = 40.0;
+const PER_PIXEL: f32 = 80.0;
 
 /// Minimum and maximum number of rays for a light. A disc that would need more is so large, and therefore so dark, that its grain
 /// is not seen.

@@ -6,7 +6,7 @@ use crate::material::Delta;
 use crate::math::ray::Ray;
 use crate::render::film::{Done, Film, place_in_pixel};
 use crate::scene::world::Scene;
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3};
 
 /// Number of samples per pixel. There is no noise but at edges, where they tell how much of the pixel each surface covers.
 const SAMPLES: usize = 8;
@@ -18,7 +18,6 @@ impl Film<'_> {
     /// What the camera sees in each pixel, row by row, through the middle of its lens. Where it looks into a smooth mirror or through
     /// smooth glass, this is what is seen there.
     pub fn guides(&self, camera: &dyn Camera, scene: &Scene) -> Vec<Guide> {
-        let size = vec2(self.width as f32, self.height as f32);
         let aside = Film {
             progress: &|done| (self.progress)(Done { pixels: 0, ..done }),
             ..*self
@@ -27,7 +26,7 @@ impl Film<'_> {
             let places = place_in_pixel(SAMPLES, rng);
             let mut sum = Guide::default();
             for i in 0..SAMPLES {
-                let place = (vec2(x as f32, y as f32) + places(i)) / size;
+                let place = self.place([x, y], places(i));
                 sum += seen(scene, &camera.ray(place, Vec2::splat(0.5)));
             }
             (sum / SAMPLES as f32, SAMPLES as u64)

@@ -1,11 +1,11 @@
 //! The film loop with fewer samples: few where they are similar, all of them where they differ.
 
-use crate::image::Image;
+use crate::image::{Image, around};
 use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
 use crate::sample::even::Even;
-use glam::{Vec2, vec2};
+use glam::Vec2;
 use rand::RngExt;
 
 /// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2, because one
@@ -109,8 +109,8 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
 /// The samples of a pixel.
 struct Sample<'a> {
     film: &'a Film<'a>,
-    /// The pixel's top left corner, in pixels.
-    corner: Vec2,
+    /// The pixel's column and row.
+    pixel: [usize; 2],
     /// The key of the pixel's random numbers.
     key: u64,
 }
@@ -119,7 +119,7 @@ impl<'a> Sample<'a> {
     fn of(film: &'a Film<'a>, x: usize, y: usize, rng: &mut Pcg) -> Self {
         Self {
             film,
-            corner: vec2(x as f32, y as f32),
+            pixel: [x, y],
             key: rng.random(),
         }
     }
@@ -134,8 +134,7 @@ impl<'a> Sample<'a> {
         } else {
             spread
         };
-        let size = vec2(film.width as f32, film.height as f32);
-        radiance((self.corner + place) / size, &mut numbers)
+        radiance(film.place(self.pixel, place), &mut numbers)
     }
 }
 
@@ -160,9 +159,8 @@ impl Begun {
 
 /// The root of the mean variance of a pixel and its neighbours, each variance around the pixel's own mean.
 fn deviation(film: &Film, begun: &[Begun], x: usize, y: usize) -> f32 {
-    let near = |v: usize, end: usize| v.saturating_sub(1)..(v + 2).min(end);
-    let (xs, ys) = (near(x, film.width), near(y, film.height));
-    let pixels = (xs.len() * ys.len()) as f32;
-    let variances = ys.flat_map(|y| xs.clone().map(move |x| begun[y * film.width + x].variance));
-    (variances.sum::<f32>() / pixels).sqrt()
+    let near = around([x, y], 1, [film.width, film.height]);
+    let variances = near.map(|[x, y]| begun[y * film.width + x].variance);
+    let (sum, pixels) = variances.fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
+    (sum / pixels).sqrt()
 }

@@ -1,6 +1,6 @@
 //! Supersampling: several rays per pixel, placed by a pattern and averaged by a filter.
 
-use crate::image::Image;
+use crate::image::{Image, around};
 use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
 use crate::render::followed::Followed;
@@ -41,13 +41,11 @@ pub fn supersample<S: Into<Followed>>(
     points: &impl Points,
     radiance: impl Radiance<S>,
 ) -> Image {
-    let size = vec2(film.width as f32, film.height as f32);
     film.render_pixels(|x, y, rng| {
         let points = points.in_pixel(film, x, y, rng);
-        let corner = vec2(x as f32, y as f32);
         let seen = points
             .iter()
-            .map(|p| radiance((corner + *p) / size, rng).into());
+            .map(|p| radiance(film.place([x, y], *p), rng).into());
         seen.sum::<Followed>().mean_of(points.len().max(1))
     })
 }
@@ -62,13 +60,11 @@ pub fn filtered<S: Into<Followed>>(
     filter: &Filter,
     radiance: impl Radiance<S>,
 ) -> Image {
-    let size = vec2(film.width as f32, film.height as f32);
     let seen = film.each_pixel(&|x, y, rng| {
-        let corner = vec2(x as f32, y as f32);
         let placed = points.in_pixel(film, x, y, rng);
         let mut rays = 0;
         let see = |p| {
-            let seen: Followed = radiance((corner + p) / size, rng).into();
+            let seen: Followed = radiance(film.place([x, y], p), rng).into();
             rays += seen.rays;
             (p, seen.radiance)
         };
@@ -81,10 +77,9 @@ pub fn filtered<S: Into<Followed>>(
         ..*film
     };
     let reach = (filter.radius + 0.5).floor() as usize;
-    let near = |v: usize, end: usize| v.saturating_sub(reach)..(v + reach + 1).min(end);
     average.render_pixels(|x, y, _| {
         let mut samples = Vec::new();
-        for (i, j) in near(y, film.height).flat_map(|j| near(x, film.width).map(move |i| (i, j))) {
+        for [i, j] in around([x, y], reach, [film.width, film.height]) {
             let corner = vec2(i as f32 - x as f32, j as f32 - y as f32) - 0.5;
             for &(p, radiance) in &seen[j * film.width + i] {
                 let offset = corner + p;

@@ -1,4 +1,4 @@
-//! Floor 4: stock scenes that chapters share.
+//! Floor 4: a scene, how a file describes one, and the scenes that chapters share.
 
 pub mod accretion_disc;
 pub mod backdrop;

@@ -63,6 +63,17 @@ pub fn find(name: &str) -> Option<&'static Chapter> {
     CHAPTERS.iter().find(|chapter| chapter.name == name)
 }
 
+/// The chapter that somebody means who says this word ([`Chapter::answers_to`]).
+pub fn called(word: &str) -> Option<&'static Chapter> {
+    CHAPTERS.iter().find(|chapter| chapter.answers_to(word))
+}
+
+/// The chapter of an exercise.
+pub fn of_exercise(exercise: &str) -> Option<&'static Chapter> {
+    let has = |chapter: &&Chapter| chapter.exercises().iter().any(|of| of.name == exercise);
+    CHAPTERS.iter().find(has)
+}
+
 impl Chapter {
     /// The functions that a student writes; their names are grade keys.
     pub fn exercises(&self) -> &'static [Asked] {

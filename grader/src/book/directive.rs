@@ -2,20 +2,20 @@
 
 /// A directive.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Directive<'a> {
+pub(crate) struct Directive<'a> {
     /// What to do.
-    pub(super) word: &'a str,
+    pub(crate) word: &'a str,
     /// Of what.
-    pub(super) name: &'a str,
+    pub(crate) name: &'a str,
     /// What stands after the bar; empty without one.
-    pub(super) rest: &'a str,
+    pub(crate) rest: &'a str,
 }
 
 /// The directive of a line, if it is one. mdBook's own begin with `{{#` and are left to it.
 ///
 /// # Errors
 /// If there are double braces, and no directive alone on the line.
-pub(super) fn read(line: &str) -> Result<Option<Directive<'_>>, String> {
+pub(crate) fn read(line: &str) -> Result<Option<Directive<'_>>, String> {
     let Some((before, after)) = line.split_once("{{") else {
         return Ok(None);
     };

@@ -24,7 +24,7 @@
 mod citation;
 mod code;
 mod commands;
-mod directive;
+pub(crate) mod directive;
 mod example;
 mod figure;
 mod fit;

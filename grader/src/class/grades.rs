@@ -42,7 +42,7 @@ pub struct ChapterGrade {
     pub name: &'static str,
     /// The chapter's title.
     pub title: &'static str,
-    /// The share that is lost because it came late, and how many days late it was.
+    /// The share that is lost because it came late.
     pub lost: f64,
     /// Days late, begun ones too.
     pub days_late: i64,

@@ -202,7 +202,7 @@ fn content(language: Language, files: &Files) -> Content {
         if path == taken::FILE {
             found.extend(taken::recorded(&text(bytes)));
         } else if !is_given(path, bytes) {
-            all.extend(tokens(&text(bytes)));
+            all.extend(tokens(language, &text(bytes)));
         }
     }
     found.extend(taken::found(language, &all));

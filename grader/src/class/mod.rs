@@ -25,15 +25,9 @@ pub mod times;
 pub mod tokens;
 pub mod when;
 
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::curriculum;
 
 /// Whether an exercise is an instructor's own: it is of no chapter.
 pub fn is_own(exercise: &str) -> bool {
-    chapter_of(exercise).is_none()
-}
-
-/// The chapter of an exercise.
-pub fn chapter_of(exercise: &str) -> Option<&'static Chapter> {
-    let has = |chapter: &&Chapter| chapter.exercises().iter().any(|of| of.name == exercise);
-    CHAPTERS.iter().find(has)
+    curriculum::of_exercise(exercise).is_none()
 }

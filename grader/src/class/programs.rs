@@ -3,6 +3,7 @@
 use super::files::Files;
 use crate::examine::Examiner;
 use crate::language::Language;
+use raybook_workbook::curriculum;
 use std::collections::BTreeMap;
 
 /// Files of a hand-in that answer all exercises, in the order in which they are looked for.
@@ -57,7 +58,7 @@ pub(super) fn programs(
     let main = MAIN.iter().find_map(|name| called(name));
     let only = sources.first().copied().filter(|_| sources.len() == 1);
     let file_of = |examiner: &dyn Examiner| {
-        let chapter = super::chapter_of(examiner.name());
+        let chapter = curriculum::of_exercise(examiner.name());
         let of_chapter = chapter.and_then(|chapter| called(chapter.name));
         called(examiner.name()).or(of_chapter)
     };

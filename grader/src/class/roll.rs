@@ -51,6 +51,9 @@ const GRADES: &str = "grades.json";
 /// The version of both files.
 pub const VERSION: u32 = 1;
 
+/// What is wrong with a file of another version.
+const OTHER: &str = "another version of raybook wrote this file";
+
 impl<'a> Class<'a> {
     /// The class of a roll.
     pub fn of(course: &'a Course, roll: &'a Roll, known: &Known) -> Self {
@@ -133,6 +136,9 @@ impl<'a> Results<'a> {
             )
         };
         let value: Value = serde_json::from_slice(&bytes).map_err(|_| damaged())?;
+        if value["version"] != VERSION {
+            return Err(format!("{shown}: {OTHER}; `raybook grade` makes it anew"));
+        }
         roll_of(&value).ok_or_else(damaged)
     }
 
@@ -147,15 +153,16 @@ impl<'a> Results<'a> {
             read => read.map_err(|error| error.to_string())?,
         };
         let value: Option<Value> = serde_json::from_slice(&bytes).ok();
-        let students = value
-            .as_ref()
-            .and_then(|value| value["students"].as_object());
-        let Some(students) = students else {
-            return Err(format!(
-                "{}: this file is damaged; move it aside, and grades are written anew",
-                Untrusted::from(path.as_path())
-            ));
+        let value = value.unwrap_or_default();
+        let wrong = |what: &str| {
+            let shown = Untrusted::from(path.as_path());
+            format!("{shown}: {what}; move it aside, and grades are written anew")
         };
+        let students = value["students"].as_object();
+        let students = students.ok_or_else(|| wrong("this file is damaged"))?;
+        if value["version"] != VERSION {
+            return Err(wrong(OTHER));
+        }
         Ok(students
             .iter()
             .map(|(student, value)| (student.clone(), written_of(value)))

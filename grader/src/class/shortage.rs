@@ -31,7 +31,7 @@ impl Shortage {
 #[cfg(unix)]
 fn room(folder: &Path) -> Option<u64> {
     let disk = rustix::fs::statvfs(folder).ok()?;
-    Some(disk.f_bavail * disk.f_frsize)
+    Some(disk.f_bavail.saturating_mul(disk.f_frsize))
 }
 
 /// The same elsewhere: nothing is known, and no hand-in is compiled.

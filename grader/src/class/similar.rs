@@ -132,7 +132,7 @@ fn given(language: Language) -> &'static BTreeSet<u64> {
             Language::Cpp => others(language, cpp::program, starter),
         };
         let numbers = |text: String| {
-            let tokens = tokens(&text);
+            let tokens = tokens(language, &text);
             let mut all = Prints::new();
             for run in tokens.windows(RUN) {
                 all.extend(winnow(run));

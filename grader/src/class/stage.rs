@@ -194,12 +194,12 @@ impl Stage {
             .collect();
         match built {
             Ok(program) => Ok(Ok(program)),
-            Err(StudentError::NoCargo(error)) => Err(error.to_string()),
             Err(_) if is_ended(&said) && self.shortage.is_there() => {
                 Err(format!("the compiler was ended: {said}"))
             }
             Err(StudentError::DoesNotCompile) => Ok(Err(said)),
-            Err(error) => Ok(Err(error.to_string())),
+            Err(error @ StudentError::NoProgram { .. }) => Ok(Err(error.to_string())),
+            Err(error) => Err(error.to_string()),
         }
     }
 

@@ -49,7 +49,7 @@ type Reference = (&'static str, Vec<Token>);
 fn references(language: Language) -> &'static [Reference] {
     static REFERENCES: [OnceLock<Vec<Reference>>; 3] = [const { OnceLock::new() }; 3];
     REFERENCES[language as usize].get_or_init(|| {
-        let of = |name| Some((name, tokens(&starter::reference(language, name)?)));
+        let of = |name| Some((name, tokens(language, &starter::reference(language, name)?)));
         let all = cases::all()
             .into_iter()
             .filter_map(|examiner| of(examiner.name()));
@@ -82,12 +82,14 @@ mod tests {
     fn a_copied_reference_is_found_and_another_text_is_not() {
         for language in [Language::Python, Language::Cpp] {
             let reference = starter::reference(language, "triangle_hit").expect("it has one");
-            assert!(tokens(&reference).len() >= LONG);
+            assert!(tokens(language, &reference).len() >= LONG);
             let copied = format!("x = 1\n\n{}\n\ny = 2\n", reference.replace("    ", "  "));
-            let names: Vec<_> = found(language, &tokens(&copied)).into_iter().collect();
+            let names: Vec<_> = found(language, &tokens(language, &copied))
+                .into_iter()
+                .collect();
             assert_eq!(names, ["triangle_hit"]);
             let own = reference.replace('+', "-");
-            assert!(found(language, &tokens(&own)).is_empty(), "{own}");
+            assert!(found(language, &tokens(language, &own)).is_empty(), "{own}");
         }
     }
 }

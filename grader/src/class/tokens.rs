@@ -1,5 +1,6 @@
 //! The tokens of a source text in any of the languages: names, numbers, texts and signs, without comments and white space.
 
+use crate::language::Language;
 use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A token.
@@ -20,22 +21,28 @@ const KEYWORDS: &[&str] = &[
     "u32", "usize", "void",
 ];
 
-/// The tokens of a text.
-pub fn tokens(text: &str) -> Vec<Token> {
+/// What a token is.
+#[derive(Clone, Copy, PartialEq, Eq, Hash)]
+enum Kind {
+    Name,
+    Number,
+    Text,
+    /// A sign, or a keyword: no other word is like it.
+    Itself,
+}
+
+/// The tokens of a text in this language.
+pub fn tokens(language: Language, text: &str) -> Vec<Token> {
     let mut tokens = Vec::new();
     let mut rest = text;
     while let Some(first) = rest.chars().next() {
-        let (length, kind) = next(rest, first);
+        let (length, kind) = next(language, rest, first);
+        let word = &rest[..length];
         if let Some(kind) = kind {
-            let word = &rest[..length];
-            let kind = if kind == "name" && KEYWORDS.contains(&word) {
-                word
-            } else {
-                kind
-            };
+            let itself = kind == Kind::Itself || KEYWORDS.contains(&word);
             tokens.push(Token {
                 exact: number(word),
-                kind: number(if kind == "sign" { word } else { kind }),
+                kind: if itself { number(word) } else { number(kind) },
             });
         }
         rest = &rest[length..];
@@ -44,35 +51,42 @@ pub fn tokens(text: &str) -> Vec<Token> {
 }
 
 /// The length of what comes next, and its kind; no kind for white space and comments.
-fn next(rest: &str, first: char) -> (usize, Option<&'static str>) {
+fn next(language: Language, rest: &str, first: char) -> (usize, Option<Kind>) {
     let while_ = |test: fn(char) -> bool| rest.find(|c| !test(c)).unwrap_or(rest.len());
-    let until = |end: &str| rest.find(end).map_or(rest.len(), |at| at + end.len());
-    if first.is_whitespace() {
+    // A line that begins with `#` is a directive in C++, or an attribute in Rust, which says as little as a comment.
+    let comments: &[_] = match language {
+        Language::Python => &[("#", "\n"), ("\"\"\"", "\"\"\""), ("\'\'\'", "\'\'\'")],
+        Language::Cpp if rest.starts_with("#include") => &[],
+        Language::Cpp | Language::Rust => &[("#", "\n"), ("//", "\n"), ("/*", "*/")],
+    };
+    let comment = |(begin, end): &(&str, &str)| {
+        let inside = rest.strip_prefix(begin)?;
+        let length = inside.find(end).map(|at| begin.len() + at + end.len());
+        Some(length.unwrap_or(rest.len()))
+    };
+    if let Some(length) = comments.iter().find_map(comment) {
+        (length, None)
+    } else if first.is_whitespace() {
         (while_(char::is_whitespace), None)
-    } else if rest.starts_with("//") || (first == '#' && !rest.starts_with("#include")) {
-        // In C++ and Rust a line that begins with `#` is a directive or an attribute, which says as little as a comment.
-        (until("\n"), None)
-    } else if rest.starts_with("/*") {
-        (until("*/"), None)
-    } else if let Some(inside) = rest.strip_prefix("\"\"\"") {
-        let end = inside.find("\"\"\"");
-        (end.map_or(rest.len(), |at| at + 6), None)
     } else if first == '"' {
-        (quoted(rest, '"'), Some("text"))
+        (quoted(rest, '"'), Some(Kind::Text))
     } else if first == '\'' {
         // A character, a text in Python, or a lifetime, which has no end.
         let line = rest.find('\n').unwrap_or(rest.len());
         let end = rest[1..line].find('\'').map(|at| at + 2);
-        end.map_or((1, Some("sign")), |end| (end, Some("text")))
+        end.map_or((1, Some(Kind::Itself)), |end| (end, Some(Kind::Text)))
     } else if first.is_alphabetic() || first == '_' {
-        (while_(|c| c.is_alphanumeric() || c == '_'), Some("name"))
+        (
+            while_(|c| c.is_alphanumeric() || c == '_'),
+            Some(Kind::Name),
+        )
     } else if first.is_ascii_digit() {
         (
             while_(|c| c.is_alphanumeric() || c == '.' || c == '_'),
-            Some("number"),
+            Some(Kind::Number),
         )
     } else {
-        (first.len_utf8(), Some("sign"))
+        (first.len_utf8(), Some(Kind::Itself))
     }
 }
 
@@ -90,35 +104,46 @@ fn quoted(text: &str, quote: char) -> usize {
     text.len()
 }
 
-fn number(word: &str) -> u64 {
+fn number(what: impl Hash) -> u64 {
     // The same in every run of a version: the journal never holds it.
     let mut hasher = DefaultHasher::new();
-    word.hash(&mut hasher);
+    what.hash(&mut hasher);
     hasher.finish()
 }
 
 #[cfg(test)]
 mod tests {
     use super::{Token, tokens};
+    use crate::language::Language;
 
     #[test]
     fn comments_spaces_and_names_do_not_count() {
-        let kinds = |text: &str| {
-            tokens(text)
+        let kinds_in = |language, text: &str| {
+            let tokens = tokens(language, text);
+            tokens
                 .iter()
                 .map(|token: &Token| token.kind)
                 .collect::<Vec<_>>()
         };
+        let kinds = |text: &str| kinds_in(Language::Cpp, text);
         let one = "let t = a.dot(b); // the distance\nreturn \"a \\\" b\";";
         let two = "let distance=origin.dot( direction ) ;/* */ return \"c\";";
         assert_eq!(kinds(one), kinds(two));
         assert_ne!(kinds(one), kinds("let t = a.dot(b) + 1;"));
         assert_eq!(
-            kinds("x = 1 # a comment\n\"\"\"a\nlong one\"\"\""),
-            kinds("y = 22.5")
+            kinds_in(
+                Language::Python,
+                "x = 1 # a comment\n\"\"\"a\nlong one\"\"\"\n'''b'''"
+            ),
+            kinds_in(Language::Python, "y = 22.5")
+        );
+        assert_ne!(
+            kinds_in(Language::Python, "x = 7 // 2; y = x * x"),
+            kinds_in(Language::Python, "x = 7 // 3"),
+            "two slashes divide"
         );
         assert_eq!(
-            tokens("a\u{e9} ' \" open").len(),
+            tokens(Language::Cpp, "a\u{e9} ' \" open").len(),
             3,
             "nothing makes it panic"
         );

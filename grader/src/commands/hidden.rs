@@ -16,11 +16,19 @@ pub struct Hidden {
     #[arg(long, value_name = "FILE", requires = "student")]
     key_file: Option<PathBuf>,
     /// Whose hidden cases
-    #[arg(long, requires = "key_file", value_parser = super::not_empty)]
+    #[arg(long, requires = "key_file", value_parser = not_empty)]
     student: Option<String>,
     /// The term of the hidden cases
     #[arg(long, default_value = "", requires = "key_file")]
     term: String,
+}
+
+/// The name of a student.
+fn not_empty(text: &str) -> Result<String, String> {
+    if text.trim().is_empty() {
+        return Err("it is empty".to_owned());
+    }
+    Ok(text.to_owned())
 }
 
 impl Hidden {

@@ -28,10 +28,6 @@ pub fn keep_pictures(
             ("yours − right".to_owned(), framed(&picture.difference)),
         ]);
     }
-    let tiles: Vec<_> = tiles
-        .iter()
-        .map(|(title, tile)| (title.as_str(), tile.clone()))
-        .collect();
     let path = folder.join(report.exercise).with_extension("png");
     file::save(&path, &sheet(3, &tiles)?)?;
     Ok(Some(path))

@@ -39,7 +39,7 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
 use raybook_grader::starter::MARKER;
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::curriculum::{self, CHAPTERS, Chapter};
 use std::error::Error;
 use std::path::{Path, PathBuf};
 
@@ -77,25 +77,7 @@ impl Target {
     /// # Errors
     /// If a word is neither a folder nor a chapter nor an exercise.
     pub fn resolve(&self) -> Result<(PathBuf, Examiners), Box<dyn Error>> {
-        let mut names: Vec<&str> = Vec::new();
-        let mut words = self.what.iter();
-        while let Some(word) = words.next() {
-            // `chapter phong` is the chapter, where `phong` is the exercise of this name.
-            let (word, found) = match word.as_str() {
-                "chapter" => {
-                    let word = words
-                        .next()
-                        .ok_or("which chapter? For example: chapter phong")?;
-                    (word, of_chapter(word).unwrap_or_default())
-                }
-                name if is_folder(name) => continue,
-                name => (word, exercises_of(name)),
-            };
-            if found.is_empty() {
-                return Err(unknown(word).into());
-            }
-            names.extend(found);
-        }
+        let names = exercises(&self.what)?;
         let wanted =
             |examiner: &&dyn Examiner| names.is_empty() || names.contains(&examiner.name());
         let folder = PathBuf::from(self.folder().unwrap_or("."));
@@ -109,6 +91,29 @@ fn is_folder(word: &str) -> bool {
     path.join(MARKER).is_file() || (path.is_dir() && exercises_of(word).is_empty())
 }
 
+/// The exercises that words mean; folders among them mean none.
+fn exercises(words: &[String]) -> Result<Vec<&'static str>, String> {
+    let mut names = Vec::new();
+    let mut words = words.iter();
+    while let Some(word) = words.next() {
+        // `chapter phong` is the chapter, where `phong` is the exercise of this name.
+        let (word, found) = match word.as_str() {
+            "chapter" => {
+                let word = words.next();
+                let word = word.ok_or("which chapter? For example: chapter phong")?;
+                (word, of_chapter(word).unwrap_or_default())
+            }
+            name if is_folder(name) => continue,
+            name => (word, exercises_of(name)),
+        };
+        if found.is_empty() {
+            return Err(unknown(word));
+        }
+        names.extend(found);
+    }
+    Ok(names)
+}
+
 /// The exercises that a word means: the one of this name, or those of a chapter by number or name.
 fn exercises_of(word: &str) -> Vec<&'static str> {
     match cases::find(word) {
@@ -119,14 +124,13 @@ fn exercises_of(word: &str) -> Vec<&'static str> {
 
 /// The exercises of a chapter by number or name.
 fn of_chapter(word: &str) -> Option<Vec<&'static str>> {
-    let chapter = CHAPTERS.iter().find(|chapter| chapter.answers_to(word))?;
+    let chapter = curriculum::called(word)?;
     Some(chapter.exercises().iter().map(|e| e.name).collect())
 }
 
 /// The chapter that a word means.
 fn chapter(word: &str) -> Result<&'static Chapter, String> {
-    let found = CHAPTERS.iter().find(|chapter| chapter.answers_to(word));
-    found.ok_or_else(|| {
+    curriculum::called(word).ok_or_else(|| {
         let names: Vec<_> = CHAPTERS.iter().map(|chapter| chapter.name).collect();
         let word = Untrusted::from(word);
         format!(
@@ -154,14 +158,6 @@ fn unknown(word: &str) -> String {
             "`{shown}` is neither a chapter, nor an exercise, nor a folder; `raybook exercise` lists them all"
         ),
     }
-}
-
-/// A word of which something must depend.
-fn not_empty(text: &str) -> Result<String, String> {
-    if text.trim().is_empty() {
-        return Err("it is empty, so that anybody could foresee the hidden cases".to_owned());
-    }
-    Ok(text.to_owned())
 }
 
 /// A time limit in seconds.

@@ -250,23 +250,10 @@ fn prompt() {
     say(format!("\nSave a file to check again{keys}; Ctrl-C ends."));
 }
 
-/// The exercises of chapters and exercises by name.
-fn exercises(names: &[String]) -> Vec<&'static str> {
-    let all = CHAPTERS.iter().flat_map(|chapter| {
-        let exercises = chapter.exercises().iter();
-        exercises.map(move |exercise| (chapter, exercise.name))
-    });
-    let named = |(chapter, exercise): &(&Chapter, &str)| {
-        let mut names = names.iter();
-        names.any(|name| name == exercise || chapter.answers_to(name))
-    };
-    all.filter(named).map(|(_, exercise)| exercise).collect()
-}
-
 /// The first of the named exercises that was not right when it was last checked; else the first.
 fn open(folder: &Path, names: &[String]) -> String {
     let progress = Progress::load(folder).unwrap_or_default();
-    let exercises = exercises(names);
+    let exercises = super::exercises(names).unwrap_or_default();
     let open = exercises.iter().find(|name| !progress.is_right(name));
     let open = open.or(exercises.first()).copied();
     open.unwrap_or(CHAPTERS[0].exercises()[0].name).to_owned()
@@ -275,7 +262,7 @@ fn open(folder: &Path, names: &[String]) -> String {
 /// The next chapter behind the named ones that is not right yet, and after the last the first again.
 fn next(folder: &Path, names: &[String]) -> Vec<String> {
     let progress = Progress::load(folder).unwrap_or_default();
-    let named = exercises(names);
+    let named = super::exercises(names).unwrap_or_default();
     let of_named = |chapter: &Chapter| {
         let mut exercises = chapter.exercises().iter();
         exercises.any(|exercise| named.contains(&exercise.name))

@@ -121,13 +121,15 @@ impl dyn Examiner + '_ {
         (0..).map_while(|i| self.picture(i)).collect()
     }
 
-    /// The question of a pixel of picture number i.
-    pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
+    /// The question of a pixel of picture number i, in numbers.
+    pub fn pixel_numbers(&self, i: usize, x: u32, y: u32) -> Vec<f64> {
         // A zero without a sign: people read it, and no picture depends on it.
-        let mut question = self.pixel(i, x, y).unwrap_or_default();
-        for v in &mut question {
-            *v += 0.0;
-        }
-        row::format(self.asked().question, &question)
+        let question = self.pixel(i, x, y).unwrap_or_default();
+        question.into_iter().map(|v| v + 0.0).collect()
+    }
+
+    /// The question of a pixel of picture number i, as a line.
+    pub fn pixel_question(&self, i: usize, x: u32, y: u32) -> String {
+        row::format(self.asked().question, &self.pixel_numbers(i, x, y))
     }
 }

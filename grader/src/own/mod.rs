@@ -45,7 +45,7 @@ pub fn read(folder: &Path, program: &[&str]) -> Result<Vec<&'static dyn Examiner
             continue;
         }
         let file = folder.join(name);
-        let declaration = Declaration::read(&file, &store_text(&file)?)?;
+        let declaration = Declaration::read(&file, text(&files, folder, name)?)?;
         let taken = cases::find(declaration.asked.name).is_some();
         if taken {
             return Err(format!(
@@ -55,11 +55,11 @@ pub fn read(folder: &Path, program: &[&str]) -> Result<Vec<&'static dyn Examiner
             ));
         }
         let cases = file.with_extension("txt");
+        let named = text(&files, folder, &name.with_extension("txt"))?;
         // The answers depend on everything in the folder, and the edition of an exercise on the text of its cases.
-        let text = format!("{}\n# edition {edition}\n", store_text(&cases)?);
         let exercise = OwnExercise {
             declaration,
-            cases: text,
+            cases: format!("{named}\n# edition {edition}\n"),
             reference,
         };
         let exercise: &'static OwnExercise = Box::leak(Box::new(exercise));
@@ -129,8 +129,13 @@ fn edition(files: &Files, program: &[&str]) -> String {
     hex(&hash.finalize())[..16].to_owned()
 }
 
-fn store_text(file: &Path) -> Result<String, String> {
-    store::read_text(file).map_err(|error| error.to_string())
+/// The text of one of the files.
+fn text<'a>(files: &'a Files, folder: &Path, name: &Path) -> Result<&'a str, String> {
+    let shown = || shown(&folder.join(name));
+    let bytes = files.get(name.as_os_str());
+    let bytes = bytes.ok_or_else(|| format!("{}: there is no such file", shown()))?;
+    let text = str::from_utf8(bytes);
+    text.map_err(|error| format!("{}: this is no text: {error}", shown()))
 }
 
 fn shown(path: &Path) -> Untrusted {

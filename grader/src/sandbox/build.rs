@@ -93,7 +93,8 @@ impl Sandbox {
         match target.symlink_metadata() {
             Ok(kind) if kind.is_dir() => {}
             Ok(_) => return Err(none()),
-            Err(_) => std::fs::create_dir(&target).map_err(StudentError::NoCargo)?,
+            Err(_) => std::fs::create_dir(&target)
+                .map_err(StudentError::of("make the workbook's folder `target`"))?,
         }
         let lock = workbook.join(LOCK);
         let may_change = lock
@@ -130,11 +131,11 @@ impl Sandbox {
         path.push(env::var_os("PATH").unwrap_or_else(|| OsString::from("/usr/bin:/bin")));
         compiler
             .enclose_compiler(&mut command, &path, readable, written)
-            .map_err(StudentError::NoCargo)?;
+            .map_err(StudentError::of("enclose cargo"))?;
         let built;
         (built, *said) = compiler
             .finish(command, &[&target])
-            .map_err(StudentError::NoCargo)?;
+            .map_err(StudentError::of_cargo)?;
         if !built {
             return Err(StudentError::DoesNotCompile);
         }

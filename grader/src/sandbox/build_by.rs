@@ -24,12 +24,13 @@ impl Sandbox {
             command: words.join(" "),
             reason,
         };
+        let of_folder = StudentError::of("make the workbook's folder `build`");
         let build = workbook.join(BUILD);
         // A link would open what it leads to for writing.
         match build.symlink_metadata() {
             Ok(kind) if kind.is_dir() => {}
-            Ok(_) => return Err(cannot(io::Error::other("`build` here is no folder"))),
-            Err(_) => std::fs::create_dir(&build).map_err(cannot)?,
+            Ok(_) => return Err(of_folder(io::Error::other("there is something else"))),
+            Err(_) => std::fs::create_dir(&build).map_err(of_folder)?,
         }
         let (first, rest) = words
             .split_first()
@@ -46,7 +47,7 @@ impl Sandbox {
         let compiler = self.compiler();
         compiler
             .enclose_compiler(&mut command, &path, [workbook.to_owned()], &[&build])
-            .map_err(cannot)?;
+            .map_err(StudentError::of("enclose the command that builds"))?;
         let (built, said) = compiler.finish(command, &[&build]).map_err(cannot)?;
         for line in said.lines() {
             complain(Untrusted::from(line));

@@ -89,13 +89,15 @@ impl Sandbox {
         readable: impl Iterator<Item = &'a Path>,
         target: &Path,
     ) -> (Result<(), StudentError>, String) {
-        let missing = "there is neither g++ nor clang++, which compile C++";
         let there = COMPILERS
             .iter()
             .find(|compiler| Path::new(compiler).exists());
         let Some(compiler) = there else {
-            let error = io::Error::other(missing);
-            return (Err(StudentError::NoCargo(error)), String::new());
+            let missing = StudentError::NoBuilder {
+                command: "g++".to_owned(),
+                reason: io::Error::other("there is neither g++ nor clang++"),
+            };
+            return (Err(missing), String::new());
         };
         let mut command = Command::new(compiler);
         command
@@ -116,7 +118,10 @@ impl Sandbox {
         match ended {
             Ok((true, said)) => (Ok(()), said),
             Ok((false, said)) => (Err(StudentError::DoesNotCompile), said),
-            Err(error) => (Err(StudentError::NoCargo(error)), String::new()),
+            Err(error) => (
+                Err(StudentError::of("run the compiler")(error)),
+                String::new(),
+            ),
         }
     }
 }

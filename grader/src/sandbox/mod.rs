@@ -205,7 +205,9 @@ impl Sandbox {
     /// Always.
     #[cfg(not(target_os = "linux"))]
     pub fn build(&self, _workbook: &Path) -> Result<Program, StudentError> {
-        Err(StudentError::NoCargo(io::Error::other("no sandbox here")))
+        Err(StudentError::of("build it")(io::Error::other(
+            "no sandbox here",
+        )))
     }
 
     /// There is no sandbox.
@@ -214,7 +216,9 @@ impl Sandbox {
     /// Always.
     #[cfg(not(target_os = "linux"))]
     pub fn build_by(&self, _workbook: &Path, _words: &[String]) -> Result<(), StudentError> {
-        Err(StudentError::NoCargo(io::Error::other("no sandbox here")))
+        Err(StudentError::of("build it")(io::Error::other(
+            "no sandbox here",
+        )))
     }
 
     /// There is no sandbox.

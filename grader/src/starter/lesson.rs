@@ -4,6 +4,7 @@
 //! become their alternative texts, and formulas stay as they are typed.
 
 use super::StarterFile;
+use crate::book::directive::{self, Directive};
 use crate::book::{self, BookError};
 use crate::cases;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
@@ -60,6 +61,11 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
             continue;
         }
         fenced ^= line.starts_with("```");
+        let wrong = |what| BookError {
+            page: format!("{}.md", chapter.name),
+            line: number,
+            what,
+        };
         let part = if let Some(mut drawn) = drawing.take() {
             drawn.push_str(line);
             if line != "</figure>" {
@@ -70,13 +76,8 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
         } else if line == "<figure>" {
             drawing = Some(String::new());
             continue;
-        } else if let (Some(directive), false) = (directive(line), fenced) {
-            let wrong = |what| BookError {
-                page: format!("{}.md", chapter.name),
-                line: number,
-                what,
-            };
-            directive.text(chapter).map_err(wrong)?
+        } else if let (false, Some(directive)) = (fenced, directive::read(line).map_err(wrong)?) {
+            text_of(directive, chapter).map_err(wrong)?
         } else if fenced && line.starts_with("cargo ") {
             match command(line) {
                 Some(command) => command,
@@ -117,40 +118,23 @@ fn command(line: &str) -> Option<String> {
     Some(format!("{}{comment}", command.trim_end()))
 }
 
-/// A directive of the book: its word, its name, and what stands after the bar.
-struct Directive<'a> {
-    word: &'a str,
-    name: &'a str,
-    rest: &'a str,
-}
-
-fn directive(line: &str) -> Option<Directive<'_>> {
-    let inside = line.strip_prefix("{{")?.strip_suffix("}}")?;
-    let (what, rest) = inside.split_once('|').unwrap_or((inside, ""));
-    let (word, name) = what.trim().split_once(' ')?;
-    let rest = rest.trim();
-    Some(Directive { word, name, rest })
-}
-
-impl Directive<'_> {
-    /// What stands in the text for the directive of this line.
-    fn text(&self, chapter: &Chapter) -> Result<String, String> {
-        match self.word {
-            "figure" => Ok(format!(
-                "> Picture `{}`: {} (`raybook tour --only ch{:02}` draws it.)",
-                self.name,
-                self.rest,
-                chapter.number()
-            )),
-            "example" => example(self.name, self.rest),
-            // A reference would be the answer to an exercise.
-            "listing" => {
-                let code = book::listing(self.name)?;
-                let file = self.name.split(':').next().unwrap_or_default();
-                Ok(format!("From `{file}`:\n\n```rust\n{code}```"))
-            }
-            _ => Ok(String::new()),
+/// What stands in the text for a directive of the book.
+fn text_of(directive: Directive<'_>, chapter: &Chapter) -> Result<String, String> {
+    match directive.word {
+        "figure" => Ok(format!(
+            "> Picture `{}`: {} (`raybook tour --only ch{:02}` draws it.)",
+            directive.name,
+            directive.rest,
+            chapter.number()
+        )),
+        "example" => example(directive.name, directive.rest),
+        // A reference would be the answer to an exercise.
+        "listing" => {
+            let code = book::listing(directive.name)?;
+            let file = directive.name.split(':').next().unwrap_or_default();
+            Ok(format!("From `{file}`:\n\n```rust\n{code}```"))
         }
+        _ => Ok(String::new()),
     }
 }
 

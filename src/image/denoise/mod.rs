@@ -4,7 +4,7 @@
 mod alike;
 mod fit;
 
-use crate::image::{Image, rgb::Rgb};
+use crate::image::{Image, around, rgb::Rgb};
 use crate::threads;
 use alike::{Alike, ROWS};
 use fit::{Fit, GUIDED, PLACE, Terms};
@@ -192,11 +192,9 @@ fn clamped(picture: &Image, other: &Image) -> Image {
 
 /// The picture whose pixels are f of each pixel and the eight around it.
 fn neighbours(picture: &Image, f: impl Fn(&mut dyn Iterator<Item = Rgb>) -> Rgb) -> Image {
-    let near = |i: usize, n: usize| i.saturating_sub(1)..(i + 2).min(n);
+    let size = [picture.width, picture.height];
     Image::from_fn(picture.width, picture.height, |x, y| {
-        let columns = near(x, picture.width);
-        let rows = near(y, picture.height);
-        f(&mut rows.flat_map(|y| columns.clone().map(move |x| picture.at(x, y))))
+        f(&mut around([x, y], 1, size).map(|[x, y]| picture.at(x, y)))
     })
 }
 

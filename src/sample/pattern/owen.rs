@@ -17,7 +17,7 @@ pub fn sobol_owen(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
 
 /// The points of a scrambled Sobol sequence, as a function of the point's number: most pixels of an adaptive picture need only a
 /// few.
-pub fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
+fn sequence(rng: &mut Pcg) -> impl Fn(u32) -> Vec2 + use<> {
     let seeds: [u64; 2] = [rng.random(), rng.random()];
     let along = |bits, seed| (scramble(bits, seed) >> (32 - DIGITS)) as f32 / (1 << DIGITS) as f32;
     move |i| {

@@ -4,7 +4,7 @@ use super::{Allowed, Counted, Course, Late, Own, Plan, Solve};
 use crate::class::settings::{Placed, SettingsError, Source, Table, unknown_name};
 use crate::language::Language;
 use crate::own;
-use raybook_workbook::curriculum::{CHAPTERS, Chapter};
+use raybook_workbook::curriculum::{self, CHAPTERS, Chapter};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
 use std::path::Path;
@@ -156,13 +156,10 @@ fn plan(
         let what = "which chapter? `chapter = \"ch01\"`, or its whole name, must stand here";
         return Err(source.error(at, what));
     };
-    let chapter = CHAPTERS
-        .iter()
-        .find(|chapter| chapter.answers_to(word.value))
-        .ok_or_else(|| {
-            let names = CHAPTERS.iter().map(|chapter| chapter.name);
-            source.error(&word.at, unknown_name("chapter", word.value, names))
-        })?;
+    let chapter = curriculum::called(word.value).ok_or_else(|| {
+        let names = CHAPTERS.iter().map(|chapter| chapter.name);
+        source.error(&word.at, unknown_name("chapter", word.value, names))
+    })?;
     let names = chapter.exercises().iter();
     let names: Vec<_> = names.map(|exercise| exercise.name).collect();
     planned(source, table, chapter, &names, points)

@@ -1,9 +1,9 @@
 //! `results.json`, as Exercism reads it from a test runner (<https://exercism.org/docs/building/tooling/test-runners/interface>, version 3).
 
 use super::outcome::{Outcome, outcome, visible, why};
-use crate::class::chapter_of;
 use crate::class::grades::{ExerciseGrade, Grade};
 use crate::class::record::Standing;
+use raybook_workbook::curriculum;
 use serde_json::{Map, Value, json};
 
 /// The results of a hand-in. Each exercise is a test; the task is its chapter.
@@ -49,14 +49,8 @@ fn test(grade: &Grade, exercise: &ExerciseGrade) -> Value {
         let message = visible(&why(grade, exercise));
         test.insert("message".to_owned(), json!(message));
     }
-    if let Some(number) = chapter_of(name).and_then(|chapter| number(chapter.name)) {
-        test.insert("task_id".to_owned(), json!(number));
+    if let Some(chapter) = curriculum::of_exercise(name) {
+        test.insert("task_id".to_owned(), json!(chapter.number()));
     }
     Value::Object(test)
-}
-
-/// The number of a chapter: 3 of `ch03_sphere`.
-fn number(chapter: &str) -> Option<u32> {
-    let (number, _) = chapter.strip_prefix("ch")?.split_once('_')?;
-    number.parse().ok()
 }

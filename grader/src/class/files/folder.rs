@@ -23,6 +23,22 @@ pub fn only_packed(folder: &Path) -> io::Result<Option<PathBuf>> {
     Ok(only)
 }
 
+/// Opens a file, unless something else has taken its place: a link, which is not followed, or a pipe, which is not waited for.
+fn open(path: &Path) -> io::Result<Option<File>> {
+    #[cfg(unix)]
+    let file = {
+        use rustix::fs::{Mode, OFlags, open};
+        let flags = OFlags::RDONLY | OFlags::NOFOLLOW | OFlags::NONBLOCK | OFlags::CLOEXEC;
+        match open(path, flags, Mode::empty()) {
+            Err(rustix::io::Errno::LOOP) => return Ok(None),
+            opened => File::from(opened?),
+        }
+    };
+    #[cfg(not(unix))]
+    let file = File::open(path)?;
+    Ok(file.metadata()?.is_file().then_some(file))
+}
+
 /// Takes what is in a folder, and in those below it; `above` is its path in the hand-in.
 pub fn collect(folder: &Path, above: &str, basket: &mut Basket) -> io::Result<()> {
     let mut entries = fs::read_dir(folder)?.collect::<io::Result<Vec<_>>>()?;
@@ -41,7 +57,10 @@ pub fn collect(folder: &Path, above: &str, basket: &mut Basket) -> io::Result<()
             }
         } else if kind.is_file() {
             if let Some(name) = basket.wants(&path)? {
-                basket.put(name, File::open(entry.path())?)?;
+                match open(&entry.path())? {
+                    Some(file) => basket.put(name, file)?,
+                    None => basket.leave_out(&path, "no file any more"),
+                }
             }
         } else {
             basket.leave_out(

@@ -4,7 +4,7 @@
 //! which also has the grader and is compiled when it is needed.
 
 use clap::Parser;
-use raybook_chapters::kit::chapter::{report, said_all};
+use raybook_chapters::kit::say::{report, said_all};
 use raybook_chapters::tour::Tour;
 use std::env;
 use std::error::Error;

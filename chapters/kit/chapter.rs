@@ -2,7 +2,7 @@
 
 use crate::kit::knobs::{self, Kind, Knob};
 use crate::kit::options::Options;
-use crate::kit::say::{complain, lost, say};
+use crate::kit::say::{complain, report, said_all, say};
 use crate::kit::stage::{Drawn, Output, Stage, progress_bar};
 use crate::kit::terminal::colourless;
 use crate::kit::untrusted::Untrusted;
@@ -13,7 +13,6 @@ use raybook_workbook::answer::unwritten;
 use std::env;
 use std::error::Error;
 use std::ffi::OsString;
-use std::iter::successors;
 use std::panic;
 use std::process::ExitCode;
 use std::sync::Mutex;
@@ -157,38 +156,4 @@ fn end_at_what_is_unwritten() {
         ));
         std::process::exit(MISSING);
     }));
-}
-
-/// Prints an error and its causes. They may contain text from outside: line ends stay, and every other hidden character is shown.
-pub fn report(error: &dyn Error) {
-    complain(format_args!("error: {}", error_text(error)));
-}
-
-/// An error and its causes, in lines that can be shown.
-pub fn error_text(error: &dyn Error) -> String {
-    let causes = successors(error.source(), |cause| (*cause).source());
-    let causes = causes.map(|cause| format!("\n  because: {}", lines(cause)));
-    lines(error) + &causes.collect::<String>()
-}
-
-/// The exit code of finished work: 2, with the reason, if not all output could be written.
-pub fn said_all(done: ExitCode) -> ExitCode {
-    match lost() {
-        None => done,
-        Some(error) => {
-            complain(format_args!(
-                "error: standard output cannot be written: {error}"
-            ));
-            ExitCode::from(2)
-        }
-    }
-}
-
-fn lines(error: &dyn Error) -> String {
-    let text = error.to_string();
-    let lines: Vec<_> = text
-        .lines()
-        .map(|line| Untrusted::from(line).to_string())
-        .collect();
-    lines.join("\n")
 }

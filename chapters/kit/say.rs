@@ -1,7 +1,11 @@
 //! Printing for people, who may have stopped reading.
 
+use crate::kit::untrusted::Untrusted;
+use std::error::Error;
 use std::fmt::Display;
 use std::io::{self, ErrorKind, Write};
+use std::iter::successors;
+use std::process::ExitCode;
 use std::sync::OnceLock;
 
 /// The first reason why some output could not be written.
@@ -31,4 +35,38 @@ fn keep(said: io::Result<()>) {
         // The first reason is as good as the next ones.
         let _ = LOST.set(error);
     }
+}
+
+/// Prints an error and its causes. They may contain text from outside: line ends stay, and every other hidden character is shown.
+pub fn report(error: &dyn Error) {
+    complain(format_args!("error: {}", error_text(error)));
+}
+
+/// An error and its causes, in lines that can be shown.
+pub fn error_text(error: &dyn Error) -> String {
+    let causes = successors(error.source(), |cause| (*cause).source());
+    let causes = causes.map(|cause| format!("\n  because: {}", lines(cause)));
+    lines(error) + &causes.collect::<String>()
+}
+
+/// The exit code of finished work: 2, with the reason, if not all output could be written.
+pub fn said_all(done: ExitCode) -> ExitCode {
+    match lost() {
+        None => done,
+        Some(error) => {
+            complain(format_args!(
+                "error: standard output cannot be written: {error}"
+            ));
+            ExitCode::from(2)
+        }
+    }
+}
+
+fn lines(error: &dyn Error) -> String {
+    let text = error.to_string();
+    let lines: Vec<_> = text
+        .lines()
+        .map(|line| Untrusted::from(line).to_string())
+        .collect();
+    lines.join("\n")
 }

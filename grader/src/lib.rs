@@ -21,6 +21,7 @@ pub mod dress;
 pub mod examine;
 pub mod explain;
 pub mod feedback;
+pub mod fingerprint;
 pub mod finite;
 pub mod golden;
 pub mod hidden;

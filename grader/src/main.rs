@@ -3,7 +3,7 @@
 mod commands;
 
 use clap::{CommandFactory, Parser, Subcommand};
-use raybook_chapters::kit::chapter::{report, said_all};
+use raybook_chapters::kit::say::{report, said_all};
 use raybook_chapters::tour::Tour;
 use raybook_grader::contain;
 use std::path::Path;

@@ -1,6 +1,6 @@
 //! What an earlier build of the book made, for as long as the program is the same.
 
-use crate::class::journal::hex;
+use crate::fingerprint::hex;
 use raybook::store;
 use sha2::{Digest, Sha256};
 use std::path::Path;

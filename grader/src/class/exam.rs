@@ -1,13 +1,13 @@
 //! The exam of a class: the same hidden cases for everybody, and what its results depend on besides the hand-ins.
 
 use super::course::Course;
-use super::journal::hex;
 use super::record::Record;
 use crate::examine::{Case, CasesError, Examiner};
+use crate::fingerprint::{self, hex};
 use crate::hidden::Key;
 use hmac::{Hmac, KeyInit, Mac};
 use rayon::prelude::*;
-use sha2::{Digest, Sha256};
+use sha2::Sha256;
 use std::collections::BTreeMap;
 
 /// The student of the hidden cases of a class: all are asked the same. `raybook check --student class` asks them too.
@@ -44,21 +44,18 @@ impl Exam {
         });
         let key = fingerprint(key);
         let edition = |examiner: &&'static dyn Examiner| {
-            let mut hash = Sha256::new();
             let limits = format!("{:?}", course.limits.asking());
             let memory = course.limits.memory.to_string();
-            for part in [
+            let parts = [
                 env!("CARGO_PKG_VERSION"),
                 &key,
                 &course.term,
                 &limits,
                 &memory,
                 examiner.golden(),
-            ] {
-                hash.update((part.len() as u64).to_le_bytes());
-                hash.update(part.as_bytes());
-            }
-            (examiner.name(), hex(&hash.finalize())[..16].to_owned())
+            ];
+            let edition = fingerprint::of(parts.map(str::as_bytes), 16);
+            (examiner.name(), edition)
         };
         Ok(Self {
             asked: asked.collect::<Result<_, CasesError>>()?,

@@ -2,14 +2,13 @@
 
 use super::course::Course;
 use super::files::{self, Files, FilesError, packed};
-use super::journal::hex;
 use super::settings::{Source, Table};
 use super::similar::Prints;
 use super::tokens::tokens;
 use super::{similar, taken};
+use crate::fingerprint;
 use crate::language::Language;
 use crate::starter;
-use sha2::{Digest, Sha256};
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
@@ -214,17 +213,9 @@ fn content(language: Language, files: &Files) -> Content {
     }
 }
 
-/// The first digits of the SHA-256 of language, paths and texts: lengths first, so that nothing can pass for something else.
+/// The fingerprint of language, paths and texts.
 pub fn fingerprint(language: Language, files: &Files) -> String {
-    let mut hash = Sha256::new();
-    let mut part = |bytes: &[u8]| {
-        hash.update((bytes.len() as u64).to_le_bytes());
-        hash.update(bytes);
-    };
-    part(language.name().as_bytes());
-    for (path, bytes) in files {
-        part(path.as_bytes());
-        part(bytes);
-    }
-    hex(&hash.finalize())[..32].to_owned()
+    let files = files.iter();
+    let parts = files.flat_map(|(path, bytes)| [path.as_bytes(), bytes]);
+    fingerprint::of([language.name().as_bytes()].into_iter().chain(parts), 32)
 }

@@ -1,6 +1,6 @@
 //! Item analysis: which exercises and cases the class fails, and which mistakes it makes.
 
-use super::grades::{Grade, Known};
+use super::grades::Grade;
 use super::record::Standing;
 use std::collections::BTreeMap;
 
@@ -72,17 +72,4 @@ fn most_first(counts: BTreeMap<String, usize>) -> Vec<(String, usize)> {
     let mut counts: Vec<_> = counts.into_iter().collect();
     counts.sort_by(|(a, m), (b, n)| n.cmp(m).then_with(|| a.cmp(b)));
     counts
-}
-
-/// What the journal tells of the hand-ins of this exam: of several records the last that is a result.
-pub fn known(records: impl Iterator<Item = super::record::Record>) -> Known {
-    let mut known = Known::new();
-    for record in records {
-        let key = (record.hand_in, record.exercise);
-        let is_result = record.result.standing != Standing::NotGraded;
-        if is_result || !known.contains_key(&key) {
-            known.insert(key, record.result);
-        }
-    }
-    known
 }

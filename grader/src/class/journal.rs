@@ -6,10 +6,10 @@
 //!
 //! When [`Journal::add`] returns, the record is on the disk.
 
+use crate::fingerprint::hex;
 use raybook::store::StoreError;
 use serde_json::Value;
 use sha2::{Digest, Sha256};
-use std::fmt::Write as _;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -112,14 +112,6 @@ const SUM: usize = 16;
 /// The first digits of the text's SHA-256.
 fn checksum(text: &[u8]) -> String {
     hex(&Sha256::digest(text))[..SUM].to_owned()
-}
-
-/// Bytes as hexadecimal digits.
-pub fn hex(bytes: &[u8]) -> String {
-    bytes.iter().fold(String::new(), |mut text, byte| {
-        let _ = write!(text, "{byte:02x}");
-        text
-    })
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What is known about an exercise of a hand-in, as the journal holds it.
 
 use super::drawn;
+use super::grades::Known;
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
 use crate::examine::Examiner;
@@ -229,4 +230,17 @@ impl Record {
             },
         })
     }
+}
+
+/// What the journal tells of the hand-ins of this exam: of several records the last that is a result.
+pub fn known(records: impl Iterator<Item = Record>) -> Known {
+    let mut known = Known::new();
+    for record in records {
+        let key = (record.hand_in, record.exercise);
+        let is_result = record.result.standing != Standing::NotGraded;
+        if is_result || !known.contains_key(&key) {
+            known.insert(key, record.result);
+        }
+    }
+    known
 }

@@ -14,12 +14,12 @@ use raybook_grader::class::grades::{Known, Sheet};
 use raybook_grader::class::hand_in::{self, HandIn};
 use raybook_grader::class::journal::{self, Journal};
 use raybook_grader::class::prebuilt::Prebuilt;
-use raybook_grader::class::record::{Record, Standing};
+use raybook_grader::class::record::{self, Record, Standing};
 use raybook_grader::class::roll::{Class, Results, Roll};
 use raybook_grader::class::run::{Shard, open, run};
 use raybook_grader::class::shortage::Shortage;
 use raybook_grader::class::stage::{Stage, remove};
-use raybook_grader::class::{items, similar, times};
+use raybook_grader::class::{similar, times};
 use raybook_grader::sandbox::Sandbox;
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -88,7 +88,7 @@ impl Grade {
             .iter()
             .filter_map(Record::from_json)
             .filter(|record| exam.holds(record));
-        let mut known = items::known(of_exam);
+        let mut known = record::known(of_exam);
         let is_done =
             |(key, result): (&(String, String), &raybook_grader::class::record::Marked)| {
                 (result.standing != Standing::NotGraded).then(|| key.clone())
@@ -158,7 +158,7 @@ impl Grade {
             ));
             return Ok(missing.is_empty());
         }
-        known.extend(items::known(graded.iter().cloned()));
+        known.extend(record::known(graded.iter().cloned()));
         self.finish(&results, &course, &exam, &hand_ins, &times, &known)
     }
 

@@ -5,9 +5,9 @@ use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::class::changes::{Change, changes};
 use raybook_grader::class::grades::points;
-use raybook_grader::class::record::Record;
+use raybook_grader::class::record::{Record, known};
 use raybook_grader::class::roll::{Class, Results};
-use raybook_grader::class::{export, items, journal};
+use raybook_grader::class::{export, journal};
 use std::error::Error;
 use std::path::PathBuf;
 
@@ -44,7 +44,7 @@ impl Regrade {
         let records = journal::read(&self.results)?.records;
         let is_current =
             |record: &Record| roll.editions.get(&record.exercise) == Some(&record.edition);
-        let known = items::known(
+        let known = known(
             records
                 .iter()
                 .filter_map(Record::from_json)

@@ -11,14 +11,13 @@ mod judge;
 mod reference;
 
 use crate::cases;
-use crate::class::journal::hex;
 use crate::examine::Examiner;
+use crate::fingerprint;
 use declaration::Declaration;
 use exercise::OwnExercise;
 use raybook::store;
 use raybook_chapters::kit::untrusted::Untrusted;
 use reference::Reference;
-use sha2::{Digest, Sha256};
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs;
@@ -114,19 +113,10 @@ pub fn files(folder: &Path) -> Result<Files, String> {
 
 /// The fingerprint of a folder and its command: whatever changes in them may change the answers.
 fn edition(files: &Files, program: &[&str]) -> String {
-    let mut hash = Sha256::new();
-    let mut part = |bytes: &[u8]| {
-        hash.update((bytes.len() as u64).to_le_bytes());
-        hash.update(bytes);
-    };
-    for word in program {
-        part(word.as_bytes());
-    }
-    for (name, bytes) in files {
-        part(name.as_encoded_bytes());
-        part(bytes);
-    }
-    hex(&hash.finalize())[..16].to_owned()
+    let words = program.iter().map(|word| word.as_bytes());
+    let files = files.iter();
+    let files = files.flat_map(|(name, bytes)| [name.as_encoded_bytes(), bytes]);
+    fingerprint::of(words.chain(files), 16)
 }
 
 /// The text of one of the files.

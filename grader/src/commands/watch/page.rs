@@ -1,6 +1,6 @@
 //! The page of `raybook watch --page`: all that was checked since the watch began, and any pixel of its pictures explained.
 
-use raybook_chapters::kit::chapter::error_text;
+use raybook_chapters::kit::say::error_text;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::cases;

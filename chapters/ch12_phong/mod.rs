@@ -18,7 +18,7 @@ use raybook::image::Image;
 use raybook::material::blinn_phong::BlinnPhong;
 use raybook::render::film::Film;
 use raybook::render::followed::Followed;
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
@@ -98,7 +98,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     film.refine(|place, rng| {
         let ray = camera.ray_through(place);

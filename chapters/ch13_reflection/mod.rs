@@ -14,7 +14,7 @@ use glam::{Vec2, Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
 use raybook::scene::marbles;
@@ -96,7 +96,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 fn whitted(depth: u32) -> Whitted {
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     Whitted { local, depth }
 }

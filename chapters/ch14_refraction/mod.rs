@@ -17,7 +17,7 @@ use glassware::Stuff;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::render::film::Film;
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
@@ -160,7 +160,7 @@ fn photograph(
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())?;
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     let whitted = Whitted { local, depth };
     Ok(film.render(&camera, &Sampler::Refined, &whitted, scene))

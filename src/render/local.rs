@@ -13,7 +13,7 @@ use rand::{Rng, RngExt};
 pub type Visibility = fn(&Scene, &Surface, &LightSample) -> bool;
 
 /// All light arrives: a world without shadows, in which no shadow rays are followed.
-pub const ALWAYS: Option<Visibility> = None;
+pub const NO_SHADOWS: Option<Visibility> = None;
 
 /// Local illumination: how the light of the light sources is gathered. `A` is a function or a closure that tells whether light
 /// arrives.
@@ -21,7 +21,7 @@ pub const ALWAYS: Option<Visibility> = None;
 pub struct Local<A = Visibility> {
     /// Number of samples per light; at least 1.
     pub samples: u32,
-    /// Returns whether a sample arrives, by following a shadow ray; [`ALWAYS`] for a world without shadows.
+    /// Returns whether a sample arrives, by following a shadow ray; [`NO_SHADOWS`] for a world without shadows.
     pub arrives: Option<A>,
 }
 

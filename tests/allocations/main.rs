@@ -4,7 +4,7 @@ use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Local, Visibility};
+use raybook::render::local::{Local, NO_SHADOWS, Visibility};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
 use raybook::scene::{cornell, plates, still_life};
 use raybook::scene::{marbles, world::Scene};
@@ -58,7 +58,7 @@ fn sky() -> Environment {
 /// Every integrator, by name, with where to look from.
 fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
     let (bare, shadows, soft) = (
-        (1, ALWAYS),
+        (1, NO_SHADOWS),
         (1, Some(shadow::lit as Visibility)),
         (8, Some(shadow::lit as Visibility)),
     );

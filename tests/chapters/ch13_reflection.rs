@@ -13,7 +13,7 @@ use raybook::material::{
     polished::Polished,
 };
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, plane::Plane};
@@ -22,7 +22,7 @@ use rays::{random_direction, ray};
 fn whitted(depth: u32) -> Whitted {
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     Whitted { local, depth }
 }

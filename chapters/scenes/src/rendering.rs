@@ -5,7 +5,7 @@ use crate::wrong::SceneError;
 use raybook::image::{Image, tone};
 use raybook::render::adaptive::Limits;
 use raybook::render::clamped::Clamped;
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::needs_more::StoppingRule;
 use raybook::render::sampler::{Integrator, Sampler};
 use raybook::render::{path::Path, shadow, whitted::Whitted};
@@ -152,7 +152,7 @@ fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
                 arrives: if shadows {
                     Some(shadow::lit as _)
                 } else {
-                    ALWAYS
+                    NO_SHADOWS
                 },
             },
             depth: depth as u32,

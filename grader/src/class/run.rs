@@ -144,7 +144,7 @@ impl Worker<'_> {
             }
         }
         // What is left of it is removed with the whole stage.
-        let _ = super::stage::remove(&self.stage.folder.join(&self.content.print));
+        let _ = self.stage.strike(&self.content.print);
     }
 
     fn attempt(&self, exercises: &mut BTreeSet<&'static str>) -> Result<(), Trouble> {

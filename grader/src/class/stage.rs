@@ -33,18 +33,53 @@ const CARGO: &str = "[profile.dev]\nopt-level = 0\ndebug = false\nincremental = 
 /// Where hand-ins are made ready.
 pub struct Stage {
     /// The folder of the whole run, which nobody else uses.
-    pub folder: PathBuf,
+    folder: PathBuf,
     /// The sandbox that they are built and run in.
-    pub sandbox: Sandbox,
+    sandbox: Sandbox,
     /// Whether the packages that workbooks use are compiled; one is tried at a time.
-    pub warm: Mutex<bool>,
+    warm: Mutex<bool>,
     /// What is the same in all hand-ins in C++.
-    pub prebuilt: Prebuilt,
+    prebuilt: Prebuilt,
     /// What the system was short of in this run.
-    pub shortage: Shortage,
+    shortage: Shortage,
 }
 
+/// The folder, in that of the results, in which hand-ins are built.
+const STAGE: &str = "stage";
+
 impl Stage {
+    /// An empty one in the folder of the results.
+    ///
+    /// # Errors
+    /// If what an earlier run left of it cannot be removed.
+    pub fn new(results: &Path, sandbox: Sandbox) -> io::Result<Self> {
+        let folder = results.canonicalize()?.join(STAGE);
+        remove(&folder)?;
+        Ok(Self {
+            prebuilt: Prebuilt::new(folder.join("starter-cpp")),
+            shortage: Shortage::from_now_on(results),
+            folder,
+            sandbox,
+            warm: Mutex::new(false),
+        })
+    }
+
+    /// Removes a hand-in that has been asked.
+    ///
+    /// # Errors
+    /// If something cannot be removed.
+    pub fn strike(&self, name: &str) -> io::Result<()> {
+        remove(&self.folder.join(name))
+    }
+
+    /// Removes it: nothing of it stays.
+    ///
+    /// # Errors
+    /// If something cannot be removed.
+    pub fn clear(self) -> io::Result<()> {
+        remove(&self.folder)
+    }
+
     /// Makes a hand-in ready in a folder of this name.
     ///
     /// # Errors
@@ -285,10 +320,7 @@ fn copy_packages(from: &Path, to: &Path) -> io::Result<()> {
 }
 
 /// Removes a folder, if it is there.
-///
-/// # Errors
-/// If it cannot be removed.
-pub fn remove(folder: &Path) -> io::Result<()> {
+fn remove(folder: &Path) -> io::Result<()> {
     match fs::remove_dir_all(folder) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
         removed => removed,

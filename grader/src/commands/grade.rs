@@ -13,14 +13,12 @@ use raybook_grader::class::exam::Exam;
 use raybook_grader::class::grades::{Known, Sheet};
 use raybook_grader::class::hand_in::{self, HandIn};
 use raybook_grader::class::journal::{self, Journal};
-use raybook_grader::class::prebuilt::Prebuilt;
-use raybook_grader::class::record::{self, Record, Standing};
+use raybook_grader::class::record::{self, Marked, Record, Standing};
 use raybook_grader::class::roll::{Class, Results, Roll};
 use raybook_grader::class::run::{Shard, open, run};
-use raybook_grader::class::shortage::Shortage;
-use raybook_grader::class::stage::{Stage, remove};
+use raybook_grader::class::stage::Stage;
 use raybook_grader::class::{similar, times};
-use raybook_grader::sandbox::Sandbox;
+use raybook_grader::sandbox::{Missing, Sandbox};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
 use std::error::Error;
@@ -54,9 +52,6 @@ pub struct Grade {
     golden: Golden,
 }
 
-/// The folder, in that of the results, in which hand-ins are built. Nothing of it stays.
-const STAGE: &str = "stage";
-
 impl Grade {
     /// Grades; true if everything is graded.
     pub fn run(&self) -> Done {
@@ -64,14 +59,7 @@ impl Grade {
         let key = hidden::read_key(&self.key_file)?;
         let times = self.times()?;
         let examiners = self.golden.replace(course.examiners())?;
-        let unreadable = [&self.key_file, &self.course].into_iter().cloned();
-        let unreadable = unreadable.chain(self.golden.folder().map(Path::to_owned));
-        let unreadable = unreadable.chain(course.own.folders.iter().cloned());
-        let mut sandbox = Sandbox::new(unreadable)?;
-        sandbox.allowance.memory = course.limits.memory;
-        let exercises = u32::try_from(examiners.len()).unwrap_or(u32::MAX);
-        sandbox.allowance.processor_time = course.limits.exercise * exercises.max(1);
-
+        let sandbox = self.sandbox(&course, examiners.len())?;
         let results = Results::take(&self.out)?;
         let mut journal = Journal::open(&self.out)?;
         let told = journal::read(&self.out)?;
@@ -89,24 +77,15 @@ impl Grade {
             .filter_map(Record::from_json)
             .filter(|record| exam.holds(record));
         let mut known = record::known(of_exam);
-        let is_done =
-            |(key, result): (&(String, String), &raybook_grader::class::record::Marked)| {
-                (result.standing != Standing::NotGraded).then(|| key.clone())
-            };
+        let is_done = |(key, result): (&(String, String), &Marked)| {
+            (result.standing != Standing::NotGraded).then(|| key.clone())
+        };
         let done: BTreeSet<_> = known.iter().filter_map(is_done).collect();
         let mut open = open(&hand_ins, &exam, &done);
         if let Some(shard) = self.shard {
             open.retain(|(_, content, _)| shard.holds(content));
         }
-        let folder = self.out.canonicalize()?.join(STAGE);
-        let stage = Stage {
-            prebuilt: Prebuilt::new(folder.join("starter-cpp")),
-            shortage: Shortage::from_now_on(&self.out),
-            folder,
-            sandbox,
-            warm: Mutex::new(false),
-        };
-        remove(&stage.folder)?;
+        let stage = Stage::new(&self.out, sandbox)?;
         let graded = Mutex::new(Vec::new());
         let progress = Pace::of(hand_ins.len(), open.len());
         let jobs = self.jobs.map_or_else(
@@ -132,34 +111,34 @@ impl Grade {
             },
         );
         progress.end();
-        remove(&stage.folder)?;
+        stage.clear()?;
         ran?;
         let graded = graded
             .into_inner()
             .unwrap_or_else(std::sync::PoisonError::into_inner);
-        let missing: BTreeMap<&str, usize> = graded
-            .iter()
-            .filter(|record| record.result.standing == Standing::NotGraded)
-            .fold(BTreeMap::new(), |mut counts, record| {
-                *counts.entry(record.result.why.as_str()).or_default() += 1;
-                counts
-            });
-        for (why, count) in &missing {
-            complain(format!(
-                "{count} results are missing: {}\nThey are no zeros; the next `raybook grade` tries again.",
-                Untrusted::from(*why)
-            ));
-        }
+        let complete = tell_missing(&graded);
         if self.shard.is_some() {
             say(format!(
                 "part {} is graded; its journal is {}",
                 self.shard_name(),
                 Untrusted::from(self.out.join(journal::FILE).as_path())
             ));
-            return Ok(missing.is_empty());
+            return Ok(complete);
         }
         known.extend(record::known(graded.iter().cloned()));
         self.finish(&results, &course, &exam, &hand_ins, &times, &known)
+    }
+
+    /// Where the hand-ins of a course are built and run: they cannot read what the exam is made of.
+    fn sandbox(&self, course: &Course, exercises: usize) -> Result<Sandbox, Missing> {
+        let unreadable = [&self.key_file, &self.course].into_iter().cloned();
+        let unreadable = unreadable.chain(self.golden.folder().map(Path::to_owned));
+        let unreadable = unreadable.chain(course.own.folders.iter().cloned());
+        let mut sandbox = Sandbox::new(unreadable)?;
+        sandbox.allowance.memory = course.limits.memory;
+        let exercises = u32::try_from(exercises).unwrap_or(u32::MAX);
+        sandbox.allowance.processor_time = course.limits.exercise * exercises.max(1);
+        Ok(sandbox)
     }
 
     /// Keeps the roll, and writes the grades; where that would change grades that are written, it tells of them instead.
@@ -260,6 +239,23 @@ impl Grade {
         self.shard
             .map_or_else(String::new, |shard| format!("{}/{}", shard.part, shard.of))
     }
+}
+
+/// Tells which results are missing, and why; whether none is.
+fn tell_missing(graded: &[Record]) -> bool {
+    let mut missing: BTreeMap<&str, usize> = BTreeMap::new();
+    for record in graded {
+        if record.result.standing == Standing::NotGraded {
+            *missing.entry(record.result.why.as_str()).or_default() += 1;
+        }
+    }
+    for (why, count) in &missing {
+        complain(format!(
+            "{count} results are missing: {}\nThey are no zeros; the next `raybook grade` tries again.",
+            Untrusted::from(*why)
+        ));
+    }
+    missing.is_empty()
 }
 
 /// A part of a class: `2/8` is the second of eight.

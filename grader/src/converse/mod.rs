@@ -1,6 +1,7 @@
 //! A process of an answer program: questions in, answers and prints out, within limits.
 
 mod limits;
+mod listening;
 mod prints;
 mod program;
 
@@ -9,6 +10,7 @@ use crate::clock::Clock;
 use crate::contain::{self, Held};
 use crate::listen::{Event, listen};
 use crate::suspend::now;
+use listening::Listening;
 use prints::Printed;
 use program::cannot_start;
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -66,9 +68,6 @@ const WHERE: Duration = Duration::from_secs(1);
 
 /// What a program has written to standard error arrives within this time from the end of its standard output.
 const LAST_WORDS: Duration = Duration::from_millis(50);
-
-/// What a program that has answered everything does until its output ends is waited for this part of the limit.
-const AFTERWARDS: u32 = 8;
 
 /// How long to wait, besides the limits.
 #[derive(Clone, Copy)]
@@ -207,7 +206,8 @@ impl Process {
         if let Some(questions) = &self.questions {
             questions.write(text);
         }
-        let mut conversation = self.listen(questions.len(), limits, waits, budget);
+        let listening = Listening::new(self, questions.len(), limits, waits, budget);
+        let mut conversation = listening.conversation();
         if let Some(end) = &mut conversation.end
             && let Some(held) = self.held.take()
         {
@@ -247,125 +247,6 @@ impl Process {
                 Err(RecvTimeoutError::Timeout) if !self.clock.is_over(WHERE, Duration::ZERO) => {}
                 Err(_) => break,
             }
-        }
-    }
-
-    fn listen(
-        &mut self,
-        wanted: usize,
-        limits: &Limits,
-        waits: Waits,
-        budget: &mut Budget,
-    ) -> Conversation {
-        let (mut answers, mut printed) = (Vec::new(), Printed::default());
-        let (mut bytes, mut bytes_in_all) = (0, 0);
-        let start = now();
-        let lost_before = self.clock.lost();
-        let (mut heard, mut closed) = (start, None);
-        let mut patience = waits.patience;
-        self.clock.restart();
-        let elapsed = || now().saturating_duration_since(start);
-        // What a busy machine took does not count against a total limit, but a tenth of all time does.
-        let lost = |clock: &Clock| {
-            let lost = clock.lost().saturating_sub(lost_before);
-            lost.min(elapsed() * 9 / 10)
-        };
-        let blamed = |clock: &Clock| elapsed().saturating_sub(lost(clock));
-        let end = loop {
-            if patience.is_none() {
-                self.questions = None;
-            }
-            let hurry = self.questions.is_some();
-            let complete = answers.len() == wanted;
-            let limit = limits.time;
-            let starting = if self.has_started {
-                Duration::ZERO
-            } else {
-                waits.start
-            };
-            let last_look = closed.unwrap_or(heard);
-            let deadline = match (closed, patience) {
-                (Some(_), _) => last_look + LAST_WORDS,
-                (None, Some(_)) if complete => last_look + waits.breath,
-                (None, Some(patience)) => self.clock.next_look(limit).min(last_look + patience),
-                (None, None) if complete => last_look + limit / AFTERWARDS,
-                (None, None) => self.clock.next_look(limit),
-            };
-            let deadline = deadline.min(start + lost(&self.clock) + budget.time_left());
-            match self.next_until(deadline) {
-                Ok(Event::Answer(answer)) => {
-                    bytes_in_all += answer.len() + 3;
-                    let answer = Untrusted::from(answer);
-                    answers.push((answer, std::mem::take(&mut printed).told()));
-                    if answers.len() > wanted {
-                        break Some(End::TooMany);
-                    }
-                    bytes = 0;
-                    heard = now();
-                    (self.has_started, self.has_answered) = (true, true);
-                    self.clock.restart();
-                }
-                Ok(Event::Print(text, whole)) => {
-                    bytes += text.len() + 1;
-                    bytes_in_all += text.len() + 1;
-                    printed.print(&text, whole);
-                }
-                Ok(Event::Error(text)) => {
-                    bytes += text.len();
-                    bytes_in_all += text.len();
-                    printed.complain(&text);
-                }
-                Ok(Event::End) => closed = Some(now()),
-                Err(RecvTimeoutError::Disconnected) => break Some(End::Exited(None)),
-                Err(RecvTimeoutError::Timeout) if closed.is_some() => {
-                    break Some(End::Exited(None));
-                }
-                Err(RecvTimeoutError::Timeout) if hurry && complete => break None,
-                Err(RecvTimeoutError::Timeout) => {
-                    // Of two reasons the total limit is the one that stays.
-                    if let Some(over) = budget.over(blamed(&self.clock), bytes_in_all) {
-                        break Some(End::Over(over));
-                    }
-                    let are_read = |questions: &Questions| questions.are_read();
-                    if !self.has_started && self.questions.as_ref().is_some_and(are_read) {
-                        self.has_started = true;
-                        // A short start is a part of the first answer.
-                        if !self.clock.is_young() {
-                            self.clock.restart();
-                            continue;
-                        }
-                    }
-                    let looked = now();
-                    if complete || self.clock.is_over(limit, starting) {
-                        self.hear_where(&mut printed);
-                        break Some(End::TimedOut(limit));
-                    }
-                    if patience.is_some_and(|patience| looked >= heard + patience) {
-                        patience = patience.filter(|_| self.clock.is_at_work());
-                        heard = looked;
-                    }
-                }
-            }
-            if bytes > limits.output {
-                break Some(End::Flooded(bytes));
-            }
-            if let Some(over) = budget.over(blamed(&self.clock), bytes_in_all) {
-                break Some(End::Over(over));
-            }
-        };
-        budget.spend(blamed(&self.clock), bytes_in_all);
-        Conversation {
-            answers,
-            end,
-            leftover: printed.told(),
-        }
-    }
-}
-
-impl Drop for Process {
-    fn drop(&mut self) {
-        if let Some(held) = self.held.take() {
-            held.end(false, Duration::ZERO);
         }
     }
 }

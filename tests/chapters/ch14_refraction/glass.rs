@@ -5,7 +5,7 @@ use raybook::image::rgb::Rgb;
 use raybook::material::Material;
 use raybook::material::glass::{Glass, Medium};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
@@ -13,7 +13,7 @@ use raybook::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
 fn whitted(depth: u32) -> Whitted {
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     Whitted { local, depth }
 }

@@ -3,7 +3,7 @@
 use glam::{Vec3, vec2};
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg;
-use raybook::render::local::{ALWAYS, Local};
+use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::whitted::Whitted;
 use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::Kind, ray_tree::grow};
@@ -29,7 +29,7 @@ fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
     let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 16.0 / 9.0).expect("a camera");
     let local = Local {
         samples: 1,
-        arrives: ALWAYS,
+        arrives: NO_SHADOWS,
     };
     let whitted = Whitted { local, depth: 12 };
     let (mut whole, mut followed, mut worst) = (0, 0, 0.0_f32);

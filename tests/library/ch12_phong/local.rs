@@ -6,7 +6,7 @@ use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample, directional::DirectionalLight, point::PointLight};
 use raybook::material::{Material, checkered::Checkered, phong::Phong};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
-use raybook::render::local::{ALWAYS, Local, Visibility};
+use raybook::render::local::{Local, NO_SHADOWS, Visibility};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{Surface, plane::Plane, sphere::Sphere};
 
@@ -48,18 +48,22 @@ fn radiance(lights: Vec<Box<dyn Light>>, samples: u32, arrives: Option<Visibilit
 #[test]
 fn ambient_light_and_all_lights_add_up() {
     let ambient = Rgb::gray(0.1);
-    close(radiance(vec![], 1, ALWAYS), ambient, "k_a i_a in the dark");
+    close(
+        radiance(vec![], 1, NO_SHADOWS),
+        ambient,
+        "k_a i_a in the dark",
+    );
     // 2 m above: 1, 2, 3 W/m² arrive from straight above.
     let of_lamp = (PHONG.diffuse + PHONG.specular) * Rgb::new(1.0, 2.0, 3.0);
     close(
-        radiance(vec![lamp(0.0)], 1, ALWAYS),
+        radiance(vec![lamp(0.0)], 1, NO_SHADOWS),
         ambient + of_lamp,
         "one lamp",
     );
     let of_sun = PHONG.diffuse + PHONG.specular;
     let both = vec![lamp(0.0), sun()];
     close(
-        radiance(both, 1, ALWAYS),
+        radiance(both, 1, NO_SHADOWS),
         ambient + of_lamp + of_sun,
         "lamp and sun",
     );
@@ -68,7 +72,7 @@ fn ambient_light_and_all_lights_add_up() {
     let cosine = aside.normalize().y;
     let of_aside = (PHONG.diffuse * cosine + PHONG.specular * cosine.powi(2)) * arriving;
     close(
-        radiance(vec![lamp(1.5)], 1, ALWAYS),
+        radiance(vec![lamp(1.5)], 1, NO_SHADOWS),
         ambient + of_aside,
         "a lamp aside",
     );
@@ -76,7 +80,7 @@ fn ambient_light_and_all_lights_add_up() {
 
 #[test]
 fn more_samples_of_a_light_without_extent_change_nothing() {
-    let [one, many] = [1, 8].map(|samples| radiance(vec![lamp(0.5), sun()], samples, ALWAYS));
+    let [one, many] = [1, 8].map(|samples| radiance(vec![lamp(0.5), sun()], samples, NO_SHADOWS));
     close(many, one, "their mean is the light");
 }
 
@@ -89,7 +93,7 @@ fn light_that_does_not_arrive_leaves_the_ambient_light() {
         "all in shadow",
     );
     close(
-        radiance(vec![Box::new(Broken)], 1, ALWAYS),
+        radiance(vec![Box::new(Broken)], 1, NO_SHADOWS),
         ambient,
         "a light that is off",
     );

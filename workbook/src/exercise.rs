@@ -60,6 +60,14 @@ impl Asked {
         self.answer.kind.names(self.answer.name)
     }
 
+    /// The parameters of the function, which are the fields of a question.
+    pub fn parameters(&self) -> &'static [Field] {
+        match self.question {
+            Kind::Record(record) => record.fields,
+            _ => &[],
+        }
+    }
+
     /// The numbers of a question.
     ///
     /// # Errors

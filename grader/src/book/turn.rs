@@ -12,7 +12,7 @@ use crate::limits::limits;
 use crate::starter::{cpp, place, python};
 use maud::{Markup, html};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::{Field, Kind};
+use raybook_workbook::kind::Field;
 use std::fmt::Write;
 
 /// The task, the signature in tabs, the table of parameters, the commands and the limits.
@@ -102,7 +102,7 @@ fn tabs(name: &str, languages: &[(&str, &str, String)], links: &Links) -> String
 
 /// The function as mathematics would have it.
 fn pseudocode(asked: &Asked) -> String {
-    let fields = fields(asked);
+    let fields = asked.parameters();
     let parameters: Vec<_> = fields
         .iter()
         .map(|field| format!("    {}: {}", field.name, words(field.kind)))
@@ -124,7 +124,7 @@ fn parameters(asked: &Asked) -> String {
     let table = html! {
         table class="parameters" {
             thead { tr { th { "parameter" } th { "kind" } th { "meaning and unit" } } }
-            tbody { @for field in fields(asked) { (row(field)) } }
+            tbody { @for field in asked.parameters() { (row(field)) } }
             thead { tr { th { "returns" } th { "kind" } th { "meaning and unit" } } }
             tbody { (row(&asked.answer)) }
         }
@@ -138,13 +138,6 @@ fn coded(text: &str) -> Markup {
         @for (i, part) in text.split('`').enumerate() {
             @if i % 2 == 1 { code { (part) } } @else { (part) }
         }
-    }
-}
-
-fn fields(asked: &Asked) -> &'static [Field] {
-    match asked.question {
-        Kind::Record(record) => record.fields,
-        _ => &[],
     }
 }
 

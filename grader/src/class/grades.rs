@@ -3,7 +3,7 @@
 use super::course::{Counted, Course, Late, Plan};
 use super::hand_in::HandIn;
 use super::record::{Marked, Standing};
-use super::when::Instant;
+use super::when::Timestamp;
 use std::collections::{BTreeMap, BTreeSet};
 
 /// What is known of the exercises of hand-ins: by the hand-in's fingerprint and the exercise.
@@ -23,7 +23,7 @@ pub struct Sheet {
     /// What was left out of it.
     pub notes: Vec<String>,
     /// When it was handed in, if that is known.
-    pub handed_in: Option<Instant>,
+    pub handed_in: Option<Timestamp>,
 }
 
 /// A student's grade.
@@ -67,7 +67,7 @@ pub struct ExerciseGrade {
 
 impl Sheet {
     /// The sheet of a hand-in.
-    pub fn of(hand_in: &HandIn, handed_in: Option<Instant>) -> Self {
+    pub fn of(hand_in: &HandIn, handed_in: Option<Timestamp>) -> Self {
         let content = hand_in.content.as_ref();
         Self {
             student: hand_in.student.clone(),
@@ -175,7 +175,7 @@ fn chapter(course: &Course, plan: &Plan, sheet: &Sheet, known: &Known) -> Chapte
 }
 
 /// Days late, begun ones too; none within the time that costs nothing.
-fn days_late(due: Instant, came: Instant, late: &Late) -> i64 {
+fn days_late(due: Timestamp, came: Timestamp, late: &Late) -> i64 {
     const DAY: i64 = 86400;
     let seconds = came.0 - due.0;
     if seconds <= late.grace {
@@ -211,7 +211,7 @@ mod tests {
     use super::{Grade, Known, Sheet, days_late, points};
     use crate::class::course::{Course, Late};
     use crate::class::record::{Marked, Standing};
-    use crate::class::when::Instant;
+    use crate::class::when::Timestamp;
     use std::path::Path;
 
     const COURSE: &str = "
@@ -239,14 +239,14 @@ mod tests {
             result.right = *right;
             known.insert(("print".to_owned(), (*exercise).to_owned()), result);
         }
-        let due: Instant = "2026-11-01T00:00:00Z".parse().expect("an instant");
+        let due: Timestamp = "2026-11-01T00:00:00Z".parse().expect("an instant");
         let sheet = Sheet {
             student: "eve".to_owned(),
             print: Ok("print".to_owned()),
             language: "python".to_owned(),
             taken: taken.iter().map(|&name| name.to_owned()).collect(),
             notes: Vec::new(),
-            handed_in: Some(Instant(due.0 + came)),
+            handed_in: Some(Timestamp(due.0 + came)),
         };
         Grade::of(&course, sheet, &known)
     }
@@ -331,7 +331,7 @@ mod tests {
             (172_800, 2),
         ] {
             assert_eq!(
-                days_late(Instant(0), Instant(seconds), &late),
+                days_late(Timestamp(0), Timestamp(seconds), &late),
                 days,
                 "{seconds} s"
             );

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::grades::{Grade, Known, Sheet};
 use super::items::{Item, items};
 use super::similar::Pair;
-use super::when::Instant;
+use super::when::Timestamp;
 use crate::lock::Lock;
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -41,7 +41,7 @@ pub struct Class<'a> {
     /// The fingerprint of the course key.
     pub key: &'a str,
     /// When the grades were made.
-    pub when: Instant,
+    pub when: Timestamp,
 }
 
 /// The file of the roll, and that of the grades as they were last written.
@@ -68,7 +68,7 @@ impl<'a> Class<'a> {
             grades,
             pairs: &roll.pairs,
             key: &roll.key,
-            when: Instant::now(),
+            when: Timestamp::now(),
         }
     }
 }

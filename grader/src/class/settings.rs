@@ -1,7 +1,7 @@
 //! Reading a file of settings in TOML. Every error says the file, the line and the column, what was expected, and which name
 //! was probably meant.
 
-use super::when::Instant;
+use super::when::Timestamp;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::cell::RefCell;
 use std::fmt::Display;
@@ -149,10 +149,10 @@ impl<'a> Table<'a> {
     ///
     /// # Errors
     /// If it is none.
-    pub fn instant(&self, name: &'static str) -> Result<Option<Instant>, SettingsError> {
+    pub fn instant(&self, name: &'static str) -> Result<Option<Timestamp>, SettingsError> {
         let expected =
             "a date and a time with an offset from UTC, such as 2026-11-30T23:59:00+01:00";
-        let read = |value: &DeValue<'_>| Instant::of(value.as_datetime()?);
+        let read = |value: &DeValue<'_>| Timestamp::of(value.as_datetime()?);
         Ok(self.read(name, expected, read)?.map(|placed| placed.value))
     }
 

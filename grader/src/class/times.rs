@@ -1,6 +1,6 @@
 //! When hand-ins came, from a table that every learning platform can write: `student,time` on each line.
 
-use super::when::Instant;
+use super::when::Timestamp;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -9,7 +9,7 @@ use std::path::Path;
 ///
 /// # Errors
 /// The first line that cannot be understood, with its number and what was expected.
-pub fn read(file: &Path, text: &str) -> Result<BTreeMap<String, Instant>, String> {
+pub fn read(file: &Path, text: &str) -> Result<BTreeMap<String, Timestamp>, String> {
     let mut times = BTreeMap::new();
     for (i, line) in text.trim_start_matches('\u{feff}').lines().enumerate() {
         if line.trim().is_empty() || (i == 0 && line.trim() == "student,time") {

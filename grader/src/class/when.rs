@@ -1,4 +1,4 @@
-//! Instants: when a hand-in was due, and when it came.
+//! Points in time: when a hand-in was due, and when it came.
 
 use std::fmt::{self, Display, Formatter};
 use std::str::FromStr;
@@ -7,11 +7,11 @@ use toml::value::{Datetime, Offset};
 
 /// An instant: seconds since the beginning of 1970 in UTC.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Instant(pub i64);
+pub struct Timestamp(pub i64);
 
 const DAY: i64 = 86400;
 
-impl Instant {
+impl Timestamp {
     /// The instant of a date and a time with an offset from UTC; `None` where one of the three is missing.
     pub fn of(when: &Datetime) -> Option<Self> {
         let (date, time, offset) = (when.date?, when.time?, when.offset?);
@@ -36,7 +36,7 @@ impl Instant {
 }
 
 /// As RFC 3339 writes it: `2026-11-30T22:59:00Z`.
-impl FromStr for Instant {
+impl FromStr for Timestamp {
     type Err = &'static str;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
@@ -47,7 +47,7 @@ impl FromStr for Instant {
     }
 }
 
-impl Display for Instant {
+impl Display for Timestamp {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
         let (year, month, day) = date(self.0.div_euclid(DAY));
         let rest = self.0.rem_euclid(DAY);
@@ -86,7 +86,7 @@ fn date(days: i64) -> (i64, i64, i64) {
 
 #[cfg(test)]
 mod tests {
-    use super::Instant;
+    use super::Timestamp;
 
     #[test]
     fn instants_are_read_and_written() {
@@ -108,8 +108,8 @@ mod tests {
                 "2100-03-01T00:00:00Z",
             ),
         ] {
-            let instant: Instant = text.parse().expect(text);
-            assert_eq!(instant, Instant(seconds), "{text}");
+            let instant: Timestamp = text.parse().expect(text);
+            assert_eq!(instant, Timestamp(seconds), "{text}");
             assert_eq!(instant.to_string(), utc, "{text}");
         }
         for wrong in [
@@ -119,7 +119,7 @@ mod tests {
             "soon",
             "2026-02-30T00:00:00Z",
         ] {
-            assert!(wrong.parse::<Instant>().is_err(), "{wrong}");
+            assert!(wrong.parse::<Timestamp>().is_err(), "{wrong}");
         }
     }
 

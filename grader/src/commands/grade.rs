@@ -17,6 +17,7 @@ use raybook_grader::class::record::{self, Marked, Record, Standing};
 use raybook_grader::class::roll::{Class, Results, Roll};
 use raybook_grader::class::run::{Shard, open, run};
 use raybook_grader::class::stage::Stage;
+use raybook_grader::class::when::Timestamp;
 use raybook_grader::class::{similar, times};
 use raybook_grader::sandbox::{Missing, Sandbox};
 use rayon::prelude::*;
@@ -148,7 +149,7 @@ impl Grade {
         course: &Course,
         exam: &Exam,
         hand_ins: &[HandIn],
-        times: &BTreeMap<String, raybook_grader::class::when::Instant>,
+        times: &BTreeMap<String, Timestamp>,
         known: &Known,
     ) -> Done {
         for student in times
@@ -190,9 +191,7 @@ impl Grade {
             .all(raybook_grader::class::grades::Grade::is_complete))
     }
 
-    fn times(
-        &self,
-    ) -> Result<BTreeMap<String, raybook_grader::class::when::Instant>, Box<dyn Error>> {
+    fn times(&self) -> Result<BTreeMap<String, Timestamp>, Box<dyn Error>> {
         match &self.times {
             None => Ok(BTreeMap::new()),
             Some(file) => Ok(times::read(file, &store::read_text(file)?)?),

@@ -1,6 +1,6 @@
 //! The starter in C++17: a file per chapter for the student, and the folder `raybook` with what these need.
 
-use super::stub::{comment, parameters, wrapped};
+use super::stub::{SHARED, comment, file, own_types, wrapped};
 use super::{StarterFile, readme};
 use crate::reader::cpp::{WORDS, class, read, reading, type_of};
 use crate::reader::{self, Type, safe, types_of};
@@ -8,10 +8,6 @@ use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind, VECTOR};
 use std::fmt::Write;
-use std::path::PathBuf;
-
-/// The types that all chapters share, which `vec.hpp` defines.
-const SHARED: [&str; 5] = ["Interval", "Ray", "Rgb", "Vec2", "Vec3"];
 
 /// What the generated files say first.
 const OURS: &str = "raybook wrote this file; you need not change it.";
@@ -44,25 +40,6 @@ pub fn files() -> Vec<StarterFile> {
         ));
     }
     files
-}
-
-fn file(path: &str, text: &str) -> StarterFile {
-    (PathBuf::from(path), text.as_bytes().to_vec())
-}
-
-/// The types of a chapter but for those that all chapters share and the questions themselves, whose fields are parameters.
-fn own(chapter: &Chapter) -> Vec<Type> {
-    let mut own: Vec<Type> = Vec::new();
-    for asked in chapter.exercises() {
-        for found in types_of(asked) {
-            let is_question =
-                matches!((found, asked.question), (Type::Record(a), Kind::Record(b)) if a == *b);
-            if !is_question && !SHARED.contains(&found.name()) && !own.contains(&found) {
-                own.push(found);
-            }
-        }
-    }
-    own
 }
 
 /// The types that all chapters share, each once.
@@ -98,7 +75,7 @@ fn header(chapter: &Chapter) -> String {
         chapter.number(),
         chapter.name
     );
-    for found in own(chapter) {
+    for found in own_types(chapter) {
         text.push_str(&class(found));
     }
     text.push('\n');
@@ -117,7 +94,7 @@ fn exercises() -> String {
         let _ = writeln!(text, "#include \"{}.hpp\"", chapter.name);
     }
     for chapter in CHAPTERS {
-        let own = own(chapter);
+        let own = own_types(chapter);
         if !own.is_empty() {
             let _ = writeln!(
                 text,
@@ -138,12 +115,12 @@ fn exercises() -> String {
                 "    {{\"{}\", [](Words& words, std::ostream& out) {{\n        using namespace {};",
                 asked.name, chapter.name
             );
-            for field in parameters(asked) {
+            for field in asked.parameters() {
                 let (kind, name) = (type_of(field.kind), variable(field));
                 let _ = writeln!(text, "        {kind} {name}{{}};");
                 let _ = write!(text, "    {}", read(field.kind, &name));
             }
-            let names: Vec<_> = parameters(asked).iter().map(variable).collect();
+            let names: Vec<_> = asked.parameters().iter().map(variable).collect();
             let _ = writeln!(
                 text,
                 "        words.end();\n        write(out, {}::{}({}));\n    }}}},",
@@ -172,7 +149,7 @@ fn stubs(chapter: &Chapter) -> String {
         chapter.name
     );
     for asked in chapter.exercises() {
-        let names = parameters(asked).iter().map(|field| safe(field.name));
+        let names = asked.parameters().iter().map(|field| safe(field.name));
         let names: Vec<_> = names.collect();
         let _ = write!(
             text,
@@ -200,7 +177,7 @@ fn notes(asked: &Asked) -> String {
             names.collect::<Vec<_>>().join(", ")
         }
     };
-    let fields = parameters(asked).iter().chain([&asked.answer]);
+    let fields = asked.parameters().iter().chain([&asked.answer]);
     let mut types = Vec::new();
     for field in fields {
         reader::types(field.kind, &mut types);
@@ -224,7 +201,7 @@ pub fn signature(asked: &Asked) -> String {
         };
         format!("{kind} {}", safe(field.name))
     };
-    let given: Vec<_> = parameters(asked).iter().map(one).collect();
+    let given: Vec<_> = asked.parameters().iter().map(one).collect();
     let answer = type_of(asked.answer.kind);
     let line = format!("{answer} {}({})", asked.name, given.join(", "));
     if line.len() <= 110 {

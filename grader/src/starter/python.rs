@@ -1,18 +1,15 @@
 //! The starter in Python: a file per chapter for the student, and the folder `raybook` with what these need.
 
-use super::stub::{comment, parameters};
+use super::stub::{SHARED, comment, file, own_types};
 use super::{StarterFile, readme};
 use crate::book::WIDEST;
 use crate::reader::python::{WORDS, class, read, type_of};
 use crate::reader::{Type, safe, types_of};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::{Field, Kind};
+use raybook_workbook::kind::Field;
+use std::collections::BTreeSet;
 use std::fmt::Write;
-use std::path::PathBuf;
-
-/// The types that all chapters share, which `vec.py` defines.
-pub const SHARED: [&str; 5] = ["Interval", "Ray", "Rgb", "Vec2", "Vec3"];
 
 /// Functions of Python that students call: no parameter hides them.
 const BUILT_IN: [&str; 2] = ["max", "min"];
@@ -55,10 +52,6 @@ pub fn files() -> Vec<StarterFile> {
     files
 }
 
-fn file(path: &str, text: &str) -> StarterFile {
-    (PathBuf::from(path), text.as_bytes().to_vec())
-}
-
 /// The module of a chapter's types: `ch03_types`.
 fn types_module(chapter: &Chapter) -> String {
     format!("ch{:02}_types", chapter.number())
@@ -90,28 +83,14 @@ fn exercises() -> String {
     text + "}\n"
 }
 
-/// The chapter's own types, each once; and those of all chapters that it uses.
-fn own_and_shared(chapter: &Chapter) -> (Vec<Type>, Vec<&'static str>) {
-    let mut own: Vec<Type> = Vec::new();
-    let mut shared = Vec::new();
-    for found in chapter.exercises().iter().flat_map(types_of) {
-        if !SHARED.contains(&found.name()) {
-            if !own.contains(&found) {
-                own.push(found);
-            }
-        } else if !shared.contains(&found.name()) {
-            shared.push(found.name());
-        }
-    }
-    // The question itself is the parameters.
-    own.retain(|found| {
-        !chapter
-            .exercises()
-            .iter()
-            .any(|asked| matches!((found, asked.question), (Type::Record(a), Kind::Record(b)) if *a == *b))
-    });
-    shared.sort_unstable();
-    (own, shared)
+/// The shared types that a chapter uses.
+fn shared(chapter: &Chapter) -> Vec<&'static str> {
+    let types = chapter.exercises().iter().flat_map(types_of);
+    let names: BTreeSet<_> = types.map(Type::name).collect();
+    names
+        .into_iter()
+        .filter(|name| SHARED.contains(name))
+        .collect()
 }
 
 fn import(module: &str, names: &[&str]) -> String {
@@ -123,7 +102,7 @@ fn import(module: &str, names: &[&str]) -> String {
 
 /// The chapter's types, and how the arguments of its functions are read.
 fn types(chapter: &Chapter) -> String {
-    let (own, shared) = own_and_shared(chapter);
+    let (own, shared) = (own_types(chapter), shared(chapter));
     let mut text = format!(
         "\"\"\"What the functions of chapter {} are given and return. raybook wrote this file; you need not change it.\"\"\"\n\nfrom __future__ import annotations\n\n",
         chapter.number()
@@ -142,7 +121,7 @@ fn types(chapter: &Chapter) -> String {
     );
     for asked in chapter.exercises() {
         let _ = writeln!(text, "    \"{}\": lambda words: (", asked.name);
-        for field in parameters(asked) {
+        for field in asked.parameters() {
             let _ = writeln!(text, "        {},", read(field.kind, "words"));
         }
         text.push_str("    ),\n");
@@ -157,7 +136,7 @@ fn types(chapter: &Chapter) -> String {
 
 /// The file that the student edits.
 fn stubs(chapter: &Chapter) -> String {
-    let (own, shared) = own_and_shared(chapter);
+    let (own, shared) = (own_types(chapter), shared(chapter));
     let own: Vec<_> = own.iter().map(|found| found.name()).collect();
     let mut text = format!(
         "\"\"\"Chapter {}: {}.   Check it: raybook check ch{:02}\"\"\"\n\nfrom __future__ import annotations\n\n",
@@ -176,7 +155,7 @@ fn stubs(chapter: &Chapter) -> String {
 /// The function's head, up to its colon: on one line if it is no wider than a listing of the book.
 pub fn signature(asked: &Asked) -> String {
     let one = |field: &Field| format!("{}: {}", parameter(field.name), type_of(field.kind));
-    let given: Vec<_> = parameters(asked).iter().map(one).collect();
+    let given: Vec<_> = asked.parameters().iter().map(one).collect();
     let answer = type_of(asked.answer.kind);
     let line = format!("def {}({}) -> {answer}:", asked.name, given.join(", "));
     if line.len() <= WIDEST {

@@ -1,17 +1,36 @@
 //! What the stubs of all languages say, taken from the declaration of an exercise.
 
+use super::StarterFile;
+use crate::reader::{Type, types_of};
+use raybook_workbook::curriculum::Chapter;
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind};
+use std::path::PathBuf;
 
 /// The width of a comment, in letters.
 const WIDTH: usize = 100;
 
-/// The parameters of the function.
-pub fn parameters(asked: &Asked) -> &'static [Field] {
-    match asked.question {
-        Kind::Record(record) => record.fields,
-        _ => &[],
+/// The types that all chapters share: `vec.hpp` and `vec.py` define them.
+pub const SHARED: [&str; 5] = ["Interval", "Ray", "Rgb", "Vec2", "Vec3"];
+
+/// A file of a starter.
+pub fn file(path: &str, text: &str) -> StarterFile {
+    (PathBuf::from(path), text.as_bytes().to_vec())
+}
+
+/// The types of a chapter but for those that all chapters share and the questions themselves, whose fields are parameters.
+pub fn own_types(chapter: &Chapter) -> Vec<Type> {
+    let mut own: Vec<Type> = Vec::new();
+    for asked in chapter.exercises() {
+        for found in types_of(asked) {
+            let is_question =
+                matches!((found, asked.question), (Type::Record(a), Kind::Record(b)) if a == *b);
+            if !is_question && !SHARED.contains(&found.name()) && !own.contains(&found) {
+                own.push(found);
+            }
+        }
     }
+    own
 }
 
 /// The comment of a stub: the task, a line for each parameter, and the answer. Each line begins with `prefix`.
@@ -20,7 +39,7 @@ pub fn comment(asked: &Asked, prefix: &str, name: impl Fn(&str) -> String) -> St
     text.push_str(prefix.trim_end());
     text.push('\n');
     let hanging = format!("{prefix}    ");
-    for field in parameters(asked) {
+    for field in asked.parameters() {
         let meaning = meaning(field);
         text.push_str(&wrapped(
             &format!("{}: {meaning}", name(field.name)),

@@ -2,7 +2,7 @@
 
 use super::{Course, RIGHT, text, visible_only, wrong_sign};
 use csv::ReaderBuilder;
-use raybook_grader::class::when::Instant;
+use raybook_grader::class::when::Timestamp;
 use roxmltree::Document;
 use serde_json::Value;
 use std::collections::BTreeMap;
@@ -325,7 +325,7 @@ fn grade(course: &Course) {
     assert!(
         grade["when"]
             .as_str()
-            .is_some_and(|when| when.parse::<Instant>().is_ok()),
+            .is_some_and(|when| when.parse::<Timestamp>().is_ok()),
         "{grade:#}"
     );
     let size = text(&course.path("results/students/wrong/grade.json")).len();

@@ -2,7 +2,7 @@
 
 mod read;
 
-use super::when::Instant;
+use super::when::Timestamp;
 use crate::budget::Total;
 use crate::converse::Limits;
 use crate::examine::Examiner;
@@ -95,7 +95,7 @@ pub struct Plan {
     /// What its points are multiplied by.
     pub weight: f64,
     /// When it is due; never if `None`.
-    pub due: Option<Instant>,
+    pub due: Option<Timestamp>,
     /// Its exercises that count.
     pub exercises: Vec<Counted>,
 }

@@ -121,6 +121,8 @@ pub struct How {
     pub only_the_first: bool,
     /// Counts a triangle's test only if it finds a hit.
     pub counts_hits: bool,
+    /// Counts a box's test only if the ray meets the box.
+    pub counts_met: bool,
     /// Ends a leaf before its last triangle.
     pub forgets_the_last: bool,
     /// Begins a leaf with its second triangle.
@@ -143,6 +145,7 @@ const WELL: How = How {
     stops_in_leaf: false,
     only_the_first: false,
     counts_hits: false,
+    counts_met: false,
     forgets_the_last: false,
     forgets_the_first: false,
 };
@@ -314,12 +317,13 @@ impl Search<'_> {
     }
 
     fn enters(&mut self, bounds: &Aabb) -> Option<f32> {
-        self.found.boxes += 1;
-        if self.how.asks {
+        let met = if self.how.asks {
             RayBox::new(self.tree.ray).enters(bounds, self.within)
         } else {
             Some(self.within.min)
-        }
+        };
+        self.found.boxes += u32::from(met.is_some() || !self.how.counts_met);
+        met
     }
 
     /// Whether a triangle is hit.

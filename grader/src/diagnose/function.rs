@@ -66,8 +66,8 @@ functions! {
     11 Number "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
     11 Number "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
     11 Number "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
-    12 Number "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
-    12 Number "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
+    10 Number "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;
+    10 Number "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
     12 Number "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
     12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
     12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
@@ -99,7 +99,7 @@ functions! {
     15 Number "maps the answer to v/(1 + v)", "Is tone mapping asked for here?": |v| v / (1.0 + v);
     16 Number "returns 0", "Does your function return what it calculates?": |_| 0.0;
     16 Number "returns 1", "Does your function return what it calculates?": |_| 1.0;
-    16 Number "returns a sign only", "Does your function return what it calculates?": f64::signum;
+    16 Number "returns a sign only", "Does your function return what it calculates?": |v| if v == 0.0 { 0.0 } else { v.signum() };
 }
 
 #[cfg(test)]

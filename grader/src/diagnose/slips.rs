@@ -6,7 +6,7 @@ mod operands;
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
-use crate::explain::slip::{Change, Rounds, Slip};
+use crate::explain::slip::{Change, Powers, Rounds, Slip};
 use crate::explain::way::{Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
@@ -79,12 +79,12 @@ common! {
     3 12 "takes x for all three": Together |v| v.fill(v[0]);
     3 12 "takes y for all three": Together |v| v.fill(v[1]);
     3 12 "takes z for all three": Together |v| v.fill(v[2]);
-    3 13 "takes y for x": Together |v| v[0] = v[1];
-    3 13 "takes z for x": Together |v| v[0] = v[2];
-    3 13 "takes x for y": Together |v| v[1] = v[0];
-    3 13 "takes z for y": Together |v| v[1] = v[2];
-    3 13 "takes x for z": Together |v| v[2] = v[0];
-    3 13 "takes y for z": Together |v| v[2] = v[1];
+    3 12 "takes y for x": Together |v| v[0] = v[1];
+    3 12 "takes z for x": Together |v| v[0] = v[2];
+    3 12 "takes x for y": Together |v| v[1] = v[0];
+    3 12 "takes z for y": Together |v| v[1] = v[2];
+    3 12 "takes x for z": Together |v| v[2] = v[0];
+    3 12 "takes y for z": Together |v| v[2] = v[1];
     3 12 "takes 0 for x": Together |v| v[0] = 0.0;
     3 12 "takes 0 for y": Together |v| v[1] = 0.0;
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;
@@ -180,6 +180,7 @@ struct Passed {
     steps: Vec<(Step, &'static str)>,
     decisions: Vec<Decision>,
     operations: Vec<Operation>,
+    powers: Vec<Operation>,
     loops: Vec<Loop>,
 }
 
@@ -210,18 +211,20 @@ fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Opti
                 passed.decisions.push(decision);
             }
         }
-        for one in walked.operations {
-            if !passed.operations.contains(&one) {
-                passed.operations.push(one);
-            }
-        }
-        for one in walked.loops {
-            if !passed.loops.contains(&one) {
-                passed.loops.push(one);
-            }
-        }
+        add_new(&mut passed.operations, walked.operations);
+        add_new(&mut passed.powers, walked.powers);
+        add_new(&mut passed.loops, walked.loops);
     }
     Some(passed)
+}
+
+/// Adds those that are not among them.
+fn add_new<T: PartialEq>(all: &mut Vec<T>, more: Vec<T>) {
+    for one in more {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
 }
 
 /// Every slip that the steps of one way allow in these questions.
@@ -330,8 +333,39 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
         let slip = Slip::Forgotten(*place);
         all.push((format!("forgets {name}"), FORGOTTEN, 9, slip));
     }
+    for Operation { name, place } in &passed.powers {
+        for (rank, what, of) in POWERS {
+            let slip = Slip::Power(*place, *of);
+            let name = format!("goes wrong at the step “{name}”: {what}");
+            all.push((name, POWER, *rank, slip));
+        }
+    }
     all
 }
+
+/// What people make of a base and an exponent: how common it is, in words, and the number.
+const POWERS: &[(u32, &str, Powers)] = &[
+    (
+        9,
+        "multiplies by the exponent instead of raising to the power",
+        |base, exponent| base * exponent,
+    ),
+    (
+        9,
+        "exchanges the base and the exponent",
+        |base, exponent| exponent.powf(base),
+    ),
+    (
+        10,
+        "divides by the exponent instead of raising to the power",
+        |base, exponent| base / exponent,
+    ),
+    (
+        12,
+        "adds the exponent instead of raising to the power",
+        |base, exponent| base + exponent,
+    ),
+];
 
 /// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
 const ROUNDS: &[(u32, &str, Rounds)] = &[
@@ -366,6 +400,9 @@ const ROUND: &str =
 /// What leads on from a decision.
 const CONDITION: &str =
     "Which of your conditions decides this? Print its two sides in the first wrong case.";
+
+/// What leads on from a power.
+const POWER: &str = "How does your language write a power, and what does it calculate first? Print the power by itself, with brackets round the exponent.";
 
 /// What leads on from what is forgotten.
 const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";

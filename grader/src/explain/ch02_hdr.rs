@@ -22,7 +22,8 @@ impl Explained for Expose {
     fn work(&self, way: &mut Way) -> Rgb {
         let stops = way.part("stops", f64::from(self.stops));
         let base = way.part("the base 2", 2.0_f64);
-        let factor = way.number("2^stops", "", base.powf(stops));
+        let factor = way.power("2^stops", base, stops);
+        let factor = way.number("2^stops", "", factor);
         let radiance = way.part("radiance", parts(self.radiance));
         let exposed = way.vector("radiance · 2^stops", "W·m⁻²·sr⁻¹", radiance * factor);
         colour(exposed)
@@ -34,13 +35,11 @@ impl Explained for Expose {
 impl Explained for ToneMap {
     fn work(&self, way: &mut Way) -> Rgb {
         let radiance = parts(self.radiance);
+        let seen = way.part("radiance in L", radiance);
         let weights = way.part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
-        let luminance = way.number(
-            "L = 0.2126 R + 0.7152 G + 0.0722 B",
-            "",
-            radiance.dot(weights),
-        );
-        let factor = way.number("every channel is divided by 1 + L =", "", 1.0 + luminance);
+        let luminance = way.number("L = 0.2126 R + 0.7152 G + 0.0722 B", "", seen.dot(weights));
+        let one = way.part("the 1 in 1 + L", 1.0);
+        let factor = way.number("every channel is divided by 1 + L =", "", one + luminance);
         let radiance = way.part("radiance", radiance);
         colour(way.vector("radiance/(1 + L)", "", radiance / factor))
     }
@@ -69,10 +68,12 @@ impl Explained for EncodeSrgb {
             way.number("12.92 v", "", 12.92 * v)
         } else {
             let power = way.part("the exponent 1/2.4", 1.0 / 2.4);
-            let root = way.number("v^(1/2.4)", "", v.powf(power));
+            let root = way.power("v^(1/2.4)", v, power);
+            let root = way.number("v^(1/2.4)", "", root);
             let factor = way.part("the factor 1.055", 1.055);
             let offset = way.part("the offset 0.055", 0.055);
-            way.number("1.055 v^(1/2.4) − 0.055", "", factor * root - offset)
+            let product = way.part("1.055 v^(1/2.4)", factor * root);
+            way.number("1.055 v^(1/2.4) − 0.055", "", product - offset)
         };
         code as f32
     }

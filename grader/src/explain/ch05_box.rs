@@ -33,15 +33,17 @@ fn slab(q: &BoxClip, axis: usize, way: &mut Way, how: Slabs) -> [f64; 2] {
     let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
     let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
     if how.asks && way.is_zero("the ray runs along two planes", speed) {
-        let is_between = low <= start && start <= high;
-        return if way.decides("such a ray is between the planes", is_between) {
+        let inside = (start - low).min(high - start);
+        return if way.is_at_most("such a ray is between the planes", 0.0, inside) {
             [f64::NEG_INFINITY, f64::INFINITY]
         } else {
             [f64::INFINITY, f64::NEG_INFINITY]
         };
     }
-    let low = way.part("t of the least plane", (low - start) / speed);
-    let high = way.part("t of the greatest plane", (high - start) / speed);
+    let low = way.part("the least plane, seen from the start", low - start);
+    let high = way.part("the greatest plane, seen from the start", high - start);
+    let low = way.part("t of the least plane", low / speed);
+    let high = way.part("t of the greatest plane", high / speed);
     if how.sorts {
         let near = way.part("the smaller t", low.min(high));
         return [near, way.part("the larger t", low.max(high))];
@@ -94,7 +96,8 @@ fn by_half_spaces(q: &BoxClip, way: &mut Way) -> Option<Interval> {
 fn by_slabs(q: &BoxClip, way: &mut Way, how: Slabs) -> Option<Interval> {
     let mut min = way.part("within.min", f64::from(q.within.min));
     let mut max = way.part("within.max", f64::from(q.within.max));
-    for (axis, name) in AXES.iter().enumerate() {
+    for axis in way.rounds("the axes", 3) {
+        let name = AXES[axis];
         let [near, far] = slab(q, axis, way, how);
         let planes = way.pair(
             format!("between the planes across {name}"),
@@ -102,7 +105,9 @@ fn by_slabs(q: &BoxClip, way: &mut Way, how: Slabs) -> Option<Interval> {
             dvec2(near, far),
         );
         // `max` and `min` drop the NaN of a ray that runs in a face.
-        let left = dvec2(min.max(planes.x), max.min(planes.y));
+        let enter = way.part("the latest entry before", min);
+        let leave = way.part("the earliest exit before", max);
+        let left = dvec2(enter.max(planes.x), leave.min(planes.y));
         let left = way.pair(format!("what remains after {name}"), "m", left);
         [min, max] = left.to_array();
     }

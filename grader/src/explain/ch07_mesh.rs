@@ -13,8 +13,13 @@ use std::ops::{Add, Mul, Sub};
 fn weights(way: &mut Way, b: Vec2) -> [f64; 3] {
     let b1 = way.part("b₁", f64::from(b.x));
     let b2 = way.part("b₂", f64::from(b.y));
-    let b0 = way.number("b₀ = 1 − b₁ − b₂", "", 1.0 - b1 - b2);
-    [b0, b1, b2]
+    let [first, second] = [way.part("b₁ in b₀", b1), way.part("b₂ in b₀", b2)];
+    let b0 = way.number("b₀ = 1 − b₁ − b₂", "", 1.0 - first - second);
+    [
+        b0,
+        way.part("b₁, the second corner's weight", b1),
+        way.part("b₂, the third corner's weight", b2),
+    ]
 }
 
 /// The same from the first corner along the two edges.

@@ -113,7 +113,8 @@ impl Explained for RefineCell {
             },
         ) in (0..).zip(&self.shapes)
         {
-            let cell = |p: DVec3| (p / size).floor().clamp(DVec3::ZERO, last);
+            let place = |p: DVec3| (p / size).floor();
+            let inside = |cell: DVec3| cell.clamp(DVec3::ZERO, last);
             let from_min = way.part("its least corner", low.as_dvec3()) - min;
             let from_min = way.part("its least corner − min", from_min);
             let to_max = way.part("its greatest corner", high.as_dvec3()) - min;
@@ -123,10 +124,15 @@ impl Explained for RefineCell {
                     "shape {shape}: (its least corner − min)/cell, rounded down, inside the cell"
                 ),
                 "",
-                cell(from_min),
+                inside(place(from_min)),
             );
-            let end = way.vector("the same of its greatest corner", "", cell(to_max));
-            let [first, end] = [first, end].map(|cell| cell.clamp(DVec3::ZERO, last).as_uvec3());
+            let end = way.vector("the same of its greatest corner", "", place(to_max));
+            let end = way.made(
+                "to keep a shape's last cell inside the coarse cell",
+                end,
+                inside(end),
+            );
+            let [first, end] = [first, end].map(DVec3::as_uvec3);
             for z in first.z..=end.z {
                 for y in first.y..=end.y {
                     for x in first.x..=end.x {
@@ -226,7 +232,8 @@ fn by_clipping(q: &TwoLevelWalk, way: &mut Way) -> Vec<u32> {
     let (mut first, mut stays) = (0, Vec::new());
     for (at, n) in cells(of(&q.coarse)).zip(q.fine.iter().map(of)) {
         let place = way.part("a coarse cell's numbers", at.as_dvec3());
-        let low = way.part("the least corner of a coarse cell", min + place * size);
+        let corner = min + place * size;
+        let low = way.part("the least corner of a coarse cell", corner);
         let before = way.part(
             "the fine cells of the coarse cells before",
             f64::from(first),
@@ -237,6 +244,10 @@ fn by_clipping(q: &TwoLevelWalk, way: &mut Way) -> Vec<u32> {
             continue;
         }
         let along = way.part("the number of fine cells along each axis", n.as_dvec3());
+        // The ray is in the fine cells while it is in the coarse one.
+        let Some([begin, end]) = rays::clipped(ray, [begin, end], corner, corner + size) else {
+            continue;
+        };
         let size = way.part("the extents of a fine cell", size / along);
         let strides = way.part("nx and ny in x + nx·(y + ny·z)", n.as_dvec3().truncate());
         for at in cells(n) {

@@ -45,8 +45,13 @@ impl Change {
 /// How another value goes into a step where it does not belong, or once more than it should.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Mixed {
-    /// The step times this power of the value.
-    Times(f64),
+    /// The step times a power of the value, and times a number.
+    Times {
+        /// The power.
+        power: f64,
+        /// The number.
+        by: f64,
+    },
     /// The step plus this many times the value.
     Plus(f64),
 }
@@ -55,11 +60,37 @@ impl Mixed {
     /// A number of the step's value with a number of the other.
     pub(super) fn of(self, v: f64, other: f64) -> f64 {
         match self {
-            Self::Times(power) => v * other.powf(power),
+            Self::Times { power, by } => by * v * other.powf(power),
             Self::Plus(factor) => v + factor * other,
         }
     }
 }
+
+/// A sum of which one summand has a factor: f·x + c.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bracket {
+    /// The step of c, as in `Slip::Other`.
+    pub summand: Place,
+    /// How many times it is added.
+    pub times: f64,
+    /// The step of f.
+    pub factor: Place,
+    /// The power with which it goes in: −1 of a divisor.
+    pub power: f64,
+    /// Whether f·(x + c) is right: then the brackets are forgotten, else there is one pair too many.
+    pub belongs: bool,
+}
+
+impl Bracket {
+    /// A number with the brackets wrong, from the right one and those of the summand and of the factor.
+    pub(super) fn of(self, v: f64, summand: f64, factor: f64) -> f64 {
+        let more = self.times * summand * (factor.powf(self.power) - 1.0);
+        if self.belongs { v - more } else { v + more }
+    }
+}
+
+/// What is made of a base and an exponent.
+pub type Powers = fn(f64, f64) -> f64;
 
 /// Whether a number is less than another.
 #[derive(Clone, Copy, Debug)]
@@ -103,6 +134,10 @@ pub enum Slip {
         /// Into which of the value's numbers; into all of them if none is given.
         only: Option<usize>,
     },
+    /// Brackets are forgotten, or too many.
+    Bracket(Place, Bracket),
+    /// Something else is made of a base and an exponent than the power.
+    Power(Place, Powers),
     /// The value that the step had when the way came by it before, as one that a loop does not renew.
     Stale(Place),
     /// A decision falls in another way.
@@ -122,6 +157,8 @@ impl Slip {
     pub fn place(&self) -> Place {
         match *self {
             Self::Value(at, _)
+            | Self::Bracket(at, _)
+            | Self::Power(at, _)
             | Self::Stale(at)
             | Self::Other { at, .. }
             | Self::Mix { at, .. }

@@ -23,10 +23,10 @@ pub struct Decision {
     pub compares: bool,
 }
 
-/// An operation on a value, which may be forgotten.
+/// An operation on a value, which may be forgotten, or done wrongly.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Operation {
-    /// What is done, after "forgets": "to take the absolute value".
+    /// What is done, after "forgets": "to take the absolute value"; of a power its formula.
     pub name: &'static str,
     /// Where it is done.
     pub place: Place,
@@ -48,6 +48,7 @@ pub struct Way {
     untold: Vec<Step>,
     decisions: Vec<Decision>,
     operations: Vec<Operation>,
+    powers: Vec<Operation>,
     loops: Vec<Loop>,
     slips: [Option<Slip>; 2],
     /// The steps of the right way, for a slip that takes the value of one that comes later.
@@ -70,6 +71,8 @@ pub struct Walked {
     pub decisions: Vec<Decision>,
     /// The operations that may be forgotten: at each place the first.
     pub operations: Vec<Operation>,
+    /// The powers: at each place the first.
+    pub powers: Vec<Operation>,
     /// The loops: at each place the first.
     pub loops: Vec<Loop>,
     /// The number of steps and decisions, told or not, at all places.
@@ -241,6 +244,21 @@ impl Way {
         }
     }
 
+    /// A power: not a step by itself, but what is written into one.
+    #[track_caller]
+    pub fn power(&mut self, name: &'static str, base: f64, exponent: f64) -> f64 {
+        let place = Place::here();
+        self.count();
+        if !self.powers.iter().any(|one| one.place == place) {
+            self.powers.push(Operation { name, place });
+        }
+        let slip = self.slips.iter().flatten().find_map(|slip| match slip {
+            Slip::Power(at, of) if *at == place => Some(of),
+            _ => None,
+        });
+        slip.map_or_else(|| base.powf(exponent), |of| of(base, exponent))
+    }
+
     /// The rounds of a loop through this number of things, "the axes": 0, 1, 2 and so on.
     #[track_caller]
     pub fn rounds(&mut self, name: &'static str, count: usize) -> Range<usize> {
@@ -301,7 +319,12 @@ impl Way {
 
     /// Whether the steps are read: those of a way with a slip only by a slip that looks back.
     fn is_read(&self) -> bool {
-        let looks_back = |slip: &Slip| matches!(slip, Slip::Other { .. } | Slip::Mix { .. });
+        let looks_back = |slip: &Slip| {
+            matches!(
+                slip,
+                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..)
+            )
+        };
         let mut slips = self.slips.iter().flatten();
         self.is_watched || self.slips[0].is_none() || slips.any(looks_back)
     }
@@ -315,6 +338,7 @@ impl Way {
             untold: self.untold,
             decisions: self.decisions,
             operations: self.operations,
+            powers: self.powers,
             loops: self.loops,
             length: self.calculated,
         }
@@ -347,6 +371,17 @@ impl Way {
             Slip::Stale(at) if at == place => {
                 let before = self.before.replace(v.numbers());
                 before.map_or(v, |before| v.with(&before))
+            }
+            Slip::Bracket(at, bracket) if at == place => {
+                let value = v.numbers();
+                let size = value.len();
+                let operands = [bracket.summand, bracket.factor].map(|of| self.last(of, size));
+                let [Some(summand), Some(factor)] = operands else {
+                    return v;
+                };
+                let each = value.iter().zip(summand.iter().zip(&factor));
+                let each = each.map(|(v, (summand, factor))| bracket.of(*v, *summand, *factor));
+                v.with(&each.collect::<Vec<_>>())
             }
             Slip::Mix { at, of, how, only } if at == place => {
                 let mut value = v.numbers();

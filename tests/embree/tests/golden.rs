@@ -59,6 +59,8 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ),
     ("bvh_closest", "counts one box for each branch"),
     ("bvh_closest", "counts only the triangles that are hit"),
+    ("bvh_closest", "counts only the boxes that are met"),
+    ("bvh_closest", "counts the triangles of a leaf as one test"),
     ("wide_closest", "opens every child"),
     (
         "wide_closest",

@@ -396,3 +396,61 @@ fn an_infinite_number_that_was_made_whole_is_called_so() {
         found.name
     );
 }
+
+#[test]
+fn brackets_that_are_too_many_are_named() {
+    let found = diagnosed("camera_ray", |q| {
+        let v = |at: usize| glam::DVec3::from_slice(&q[at..]);
+        let (length, plane, film) = (q[12], &q[13..15], &q[15..17]);
+        let across = (film[0] - 0.5) * plane[0] * v(6);
+        let along = length * (v(3) + across) + (0.5 - film[1]) * plane[1] * v(9);
+        Some([v(0).to_array(), along.normalize().to_array()].concat())
+    });
+    let told = "adds “x·right” before multiplying by “focal_length”, as with brackets";
+    assert!(found.name.ends_with(told), "{}", found.name);
+    assert!(found.certain);
+}
+
+#[test]
+fn brackets_that_are_forgotten_are_named() {
+    let found = diagnosed("plane_hit", |q| {
+        let v = |at: usize| glam::DVec3::from_slice(&q[at..]);
+        let (o, d, n, offset) = (v(0), v(3), v(8), q[11]);
+        let t = offset - n.dot(o) / n.dot(d);
+        let counts = n.dot(d) != 0.0 && q[6] < t && t < q[7];
+        Some(if counts { vec![1.0, t] } else { vec![0.0] })
+    });
+    assert!(
+        found.name.ends_with("as without brackets"),
+        "{}",
+        found.name
+    );
+}
+
+#[test]
+fn a_power_that_is_no_power_is_named() {
+    let found = diagnosed("expose", |q| {
+        Some(q[..3].iter().map(|v| v * 2.0 * q[3]).collect())
+    });
+    let told = "goes wrong at the step “2^stops”: multiplies by the exponent instead of raising to the power";
+    assert_eq!((&*found.name, found.certain), (told, true));
+}
+
+#[test]
+fn twice_a_value_for_its_square_is_named() {
+    let found = diagnosed("solve_quadratic", |q| {
+        let [a, b, c] = [q[0], q[1], q[2]];
+        let square = 2.0 * b - 4.0 * a * c;
+        if a == 0.0 || square < 0.0 {
+            return Some(vec![0.0]);
+        }
+        let root = -0.5 * (b + square.sqrt().copysign(b));
+        if root == 0.0 {
+            return Some(vec![1.0, 0.0, 0.0]);
+        }
+        let (s, t) = (root / a, c / root);
+        Some(vec![1.0, s.min(t), s.max(t)])
+    });
+    let told = "goes wrong at the step “B²”: takes twice “B” instead of its square";
+    assert_eq!(found.name, told);
+}

@@ -29,6 +29,11 @@ impl Graded for ToneMap {
             answer: |q| q.radiance / (1.0 + (q.radiance.r + q.radiance.g + q.radiance.b) / 3.0),
         },
         Mistake {
+            name: "takes the green channel for the luminance",
+            hint: "Green looks brightest to the eye: how bright is a pure red?",
+            answer: |q| q.radiance / (1.0 + q.radiance.g),
+        },
+        Mistake {
             name: "returns gray",
             hint: "L/(1 + L) is the new luminance; what becomes of the colour?",
             answer: |q| Rgb::gray(q.radiance.luminance() / (1.0 + q.radiance.luminance())),

@@ -6,6 +6,7 @@ use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::{BoundsOf, Corners};
+use std::cmp::Ordering;
 
 impl Graded for BoundsOf {
     fn random(rng: &mut Pcg) -> BoundsOf {
@@ -96,6 +97,21 @@ impl Graded for BoundsOf {
             answer: |q| {
                 let Corners { min, max } = BoundsOf::answer(q);
                 Corners { min: max, max: min }
+            },
+        },
+        Mistake {
+            name: "compares points as a whole: by x, and by y and z only where x is equal",
+            hint: "The least x and the least y may come from different points: what does your language compare first of two rows of numbers?",
+            answer: |q| {
+                let mut points = q.points.clone();
+                points.sort_by(|a, b| {
+                    let axes = (0..3).map(|axis| a[axis].total_cmp(&b[axis]));
+                    axes.fold(Ordering::Equal, Ordering::then)
+                });
+                match (points.first(), points.last()) {
+                    (Some(&min), Some(&max)) => Corners { min, max },
+                    _ => BoundsOf::answer(q),
+                }
             },
         },
         Mistake {

@@ -82,8 +82,8 @@ impl Graded for BoxClip {
             answer: |q| folded(q, f32::max, f32::max),
         },
         Mistake {
-            name: "divides 0 by 0 for a ray in a face",
-            hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, and what does a comparison make of it?",
+            name: "misses a ray that runs in a face: by 0/0, or by < instead of ≤",
+            hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, what does a comparison make of it, and does yours count a ray in the face as inside?",
             answer: |q| {
                 let nan = (0..3).any(|axis| {
                     q.ray.direction[axis] == 0.0

@@ -330,6 +330,11 @@ impl Graded for TwoLevelWalk {
             },
         },
         Mistake {
+            name: "counts a coarse cell's own fine cells as if they came before it",
+            hint: "The first coarse cell: how many fine cells lie before those of this one?",
+            answer: |q| before_is(q, |cuts| cuts.iter().map(|cut| cut.element_product()).sum()),
+        },
+        Mistake {
             name: "counts one fine cell for every coarse cell before this one, empty or not",
             hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
             answer: |q| before_is(q, |cuts| cuts.len() as u32 - 1),

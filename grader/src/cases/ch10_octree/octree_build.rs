@@ -206,12 +206,12 @@ impl Graded for OctreeBuild {
         },
         Flaw {
             complaint: "of a list of",
-            name: "lets leaves begin at the wrong place of the list of names",
+            name: "lets leaves name places of the list of names that are not theirs: they begin at the wrong place, or count wrongly",
             hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
         },
         Flaw {
             complaint: "both name what is at place",
-            name: "lets leaves begin at the wrong place of the list of names",
+            name: "lets leaves name places of the list of names that are not theirs: they begin at the wrong place, or count wrongly",
             hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
         },
         Flaw {

@@ -6,8 +6,8 @@ use crate::{
     sample,
 };
 use rand::RngExt;
-use raybook::inside::octree::Kind;
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::inside::octree::{Kind, child_cell};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 use raybook_workbook::octree_rows::NodeRow;
@@ -27,6 +27,34 @@ pub(super) fn cells(q: &OctreeWalk) -> (Vec<Aabb>, Vec<u32>) {
     }
     leaves.sort_unstable();
     (cells, leaves)
+}
+
+/// The leaf to which a walk comes that never goes back to another child.
+fn nearest_only(q: &OctreeWalk) -> Vec<u32> {
+    let bounds = Aabb {
+        min: q.min,
+        max: q.max,
+    };
+    let (mut node, mut cell) = (0, bounds);
+    loop {
+        let row = &q.nodes[node as usize];
+        if row.inner == 0 {
+            return if row.count > 0 {
+                vec![node]
+            } else {
+                Vec::new()
+            };
+        }
+        let children = (0..8).map(|child| (child, child_cell(&cell, child)));
+        let stays = children.filter_map(|(child, cell)| {
+            let inside = slab::clip(&cell, &q.ray, q.within)?;
+            (inside.max > inside.min).then_some((inside.min + inside.max, child, cell))
+        });
+        let Some((_, child, below)) = stays.min_by(|a, b| a.0.total_cmp(&b.0)) else {
+            return Vec::new();
+        };
+        (node, cell) = (row.first + child as u32, below);
+    }
 }
 
 fn walked(q: &OctreeWalk, ray: Ray, within: Interval) -> Vec<u32> {
@@ -141,6 +169,11 @@ impl Graded for OctreeWalk {
             name: "stops after the first leaf",
             hint: "If the first leaf has no hit, where is the next one?",
             answer: |q| OctreeWalk::answer(q).into_iter().take(1).collect(),
+        },
+        Mistake {
+            name: "goes into the nearest child of each node only",
+            hint: "The nearest child may have no hit: which child does the ray pass through next?",
+            answer: nearest_only,
         },
         Mistake {
             name: "goes on beyond the end of the interval",

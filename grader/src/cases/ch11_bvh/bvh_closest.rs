@@ -192,6 +192,23 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.only_the_first = true),
         },
         Mistake {
+            name: "counts only the boxes that are met",
+            hint: "Is a test work that finds nothing?",
+            answer: |q| search(q, |how| how.counts_met = true),
+        },
+        Mistake {
+            name: "counts the triangles of a leaf as one test",
+            hint: "A leaf of two triangles: how many triangles does a ray test there?",
+            answer: |q| {
+                let found = with_tree(q, |tree| search::search(tree, &node(q, 0), |_| {}));
+                BvhClosestAnswer {
+                    boxes: found.boxes,
+                    tests: found.leaves,
+                    hit: found.hit,
+                }
+            },
+        },
+        Mistake {
             name: "counts only the triangles that are hit",
             hint: "Is a test work that finds nothing?",
             answer: |q| search(q, |how| how.counts_hits = true),

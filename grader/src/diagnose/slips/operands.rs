@@ -3,7 +3,7 @@
 
 use crate::attempt::attempt;
 use crate::explain::Explainer;
-use crate::explain::slip::{Change, Mixed, Place, Slip};
+use crate::explain::slip::{Bracket, Change, Mixed, Place, Slip};
 use crate::explain::way::{Step, Walked, Way};
 
 /// How a value goes into a step, in every question that was tried.
@@ -72,22 +72,122 @@ pub fn operations(
     }
     all.sort_by_key(|(touched, ..)| *touched);
     let mut operations = Vec::new();
-    for (_, of, found) in all {
+    for (_, of, found) in &all {
         for (at, size, operand) in found {
             for (name, rank, how) in operand.slips(&super::short(of)) {
                 let mut add = |name: String, rank, only| {
                     let of = of.place;
+                    let at = *at;
                     let slip = Slip::Mix { at, of, how, only };
                     operations.push((at, Operation { name, rank, slip }));
                 };
-                for (i, only) in components(size).iter().enumerate() {
+                for (i, only) in components(*size).iter().enumerate() {
                     add(format!("{name}, {only}"), rank + 3, Some(i));
                 }
                 add(name, rank, None);
             }
         }
     }
+    let goes_in = |(_, of, found): &(usize, &Step, Vec<(Place, usize, Operand)>)| {
+        let (of, name) = (of.place, super::short(of));
+        let into = found.iter().map(move |(at, _, how)| Input {
+            of,
+            name: name.clone(),
+            at: *at,
+            how: *how,
+        });
+        into.collect::<Vec<_>>()
+    };
+    let all: Vec<_> = all.iter().flat_map(goes_in).collect();
+    operations.extend(brackets(&all));
     operations
+}
+
+/// A value that goes into a step.
+struct Input {
+    of: Place,
+    name: String,
+    at: Place,
+    how: Operand,
+}
+
+/// The slips with brackets: f·x + c for f·(x + c), or the other way round.
+fn brackets(all: &[Input]) -> Vec<(Place, Operation)> {
+    let factors = |at: Place| {
+        let into = all.iter().filter(move |one| one.at == at);
+        into.filter_map(|one| match one.how {
+            Operand::Factor(power) if power.abs() == 1.0 => Some((one, power)),
+            _ => None,
+        })
+    };
+    let summands = |at: Place| {
+        let into = all.iter().filter(move |one| one.at == at);
+        into.filter_map(|one| match one.how {
+            Operand::Summand(times) => Some((one, times)),
+            Operand::Factor(_) => None,
+        })
+    };
+    let goes_into = |of: Place, at: Place| all.iter().any(|one| one.of == of && one.at == at);
+    let mut found = Vec::new();
+    let mut add = |at, belongs, (summand, times): (&Input, f64), (factor, power): (&Input, f64)| {
+        let name = words(belongs, (&summand.name, times), (&factor.name, power));
+        let (summand, factor) = (summand.of, factor.of);
+        let bracket = Bracket {
+            summand,
+            times,
+            factor,
+            power,
+            belongs,
+        };
+        let slip = Slip::Bracket(at, bracket);
+        let rank = 11;
+        found.push((at, Operation { name, rank, slip }));
+    };
+    for into in all {
+        let (x, at) = (into.of, into.at);
+        match into.how {
+            // f·(x + c), where the sum is a step.
+            Operand::Factor(1.0) => {
+                for factor in factors(at).filter(|(one, _)| one.of != x && !goes_into(one.of, x)) {
+                    for summand in summands(x).filter(|(one, _)| one.of != factor.0.of) {
+                        add(at, true, summand, factor);
+                    }
+                }
+            }
+            // f·x + c, where the product is a step.
+            Operand::Summand(_) => {
+                for factor in factors(x) {
+                    let is_other = |(one, _): &(&Input, f64)| {
+                        one.of != x && one.of != factor.0.of && !goes_into(one.of, x)
+                    };
+                    for summand in summands(at).filter(is_other) {
+                        add(at, false, summand, factor);
+                    }
+                }
+            }
+            Operand::Factor(_) => {}
+        }
+    }
+    found
+}
+
+/// What is done first, and what after it, that should come before.
+fn words(belongs: bool, (summand, times): (&str, f64), (factor, power): (&str, f64)) -> String {
+    let (adds, adding) = if times < 0.0 {
+        ("subtracts", "subtracting")
+    } else {
+        ("adds", "adding")
+    };
+    let (multiplies, multiplying) = if power < 0.0 {
+        ("divides", "dividing")
+    } else {
+        ("multiplies", "multiplying")
+    };
+    if belongs {
+        format!("{multiplies} by “{factor}” before {adding} “{summand}”, as without brackets")
+    } else {
+        format!("{adds} “{summand}” before {multiplying} by “{factor}”, as with brackets")
+    }
 }
 
 /// What the numbers of a value are called, where there are several.
@@ -166,6 +266,7 @@ impl Operand {
 }
 
 fn factor_slips(power: f64, name: &str) -> Vec<(String, u32, Mixed)> {
+    let times = |power: f64| Mixed::Times { power, by: 1.0 };
     let what = match power.abs() {
         1.0 => format!("“{name}”"),
         2.0 => format!("the square of “{name}”"),
@@ -186,16 +287,24 @@ fn factor_slips(power: f64, name: &str) -> Vec<(String, u32, Mixed)> {
         ]
     };
     let mut slips = vec![
-        (without, 9, Mixed::Times(-power)),
-        (inverted, 9, Mixed::Times(-2.0 * power)),
-        (twice, 12, Mixed::Times(power)),
+        (without, 9, times(-power)),
+        (inverted, 9, times(-2.0 * power)),
+        (twice, 12, times(power)),
     ];
     if power.abs() == 1.0 {
         let root = format!("takes the square root of “{name}” there");
-        slips.push((root, 12, Mixed::Times(-0.5 * power)));
+        slips.push((root, 12, times(-0.5 * power)));
     } else {
         let plain = format!("takes “{name}” instead of {what}");
-        slips.push((plain, 9, Mixed::Times(power.signum() - power)));
+        slips.push((plain, 9, times(power.signum() - power)));
+    }
+    if power == 2.0 {
+        let doubled = format!("takes twice “{name}” instead of its square");
+        let how = Mixed::Times {
+            power: -1.0,
+            by: 2.0,
+        };
+        slips.push((doubled, 10, how));
     }
     slips
 }

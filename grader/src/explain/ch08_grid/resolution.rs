@@ -25,11 +25,8 @@ impl Explained for GridResolution {
             let volume = way.number(format!("the volume, of {names}"), "", volume);
             let dense = way.part("cells/volume", cells / volume);
             let root = way.part("1 over the number of axes", 1.0 / thick.len() as f64);
-            let per_metre = way.number(
-                "cells per metre: the root of cells/volume",
-                "1/m",
-                dense.powf(root),
-            );
+            let dense = way.power("the root of cells/volume", dense, root);
+            let per_metre = way.number("cells per metre: the root of cells/volume", "1/m", dense);
             let mut along = DVec3::ONE;
             for &axis in &thick {
                 along[axis] = (extents[axis] * per_metre).min(cells.max(1.0));

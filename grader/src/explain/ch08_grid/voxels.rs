@@ -20,7 +20,8 @@ fn all_tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell>
             for x in way.rounds("the cells along x", asked.nx as usize) {
                 let cell = UVec3::new(x as u32, y as u32, z as u32);
                 let place = way.part("the cell's numbers", cell.as_dvec3());
-                let low = way.part("a cell's least corner", min + place * size);
+                let apart = way.part("the extents of a cell, in a cell's place", size);
+                let low = way.part("a cell's least corner", min + place * apart);
                 if meets(way, corners, low, size, margin) {
                     found.push(Cell::from(cell));
                 }
@@ -60,7 +61,8 @@ fn tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
         for y in first.y..=last.y {
             for x in first.x..=last.x {
                 let cell = UVec3::new(x as u32, y as u32, z as u32);
-                let low = min + cell.as_dvec3() * size;
+                let apart = way.part("the extents of a cell, in a cell's place", size);
+                let low = min + cell.as_dvec3() * apart;
                 if meets(way, corners, low, size, margin) {
                     found.push(Cell::from(cell));
                 }

@@ -99,7 +99,8 @@ impl Start {
     /// None if the ray misses the lattice.
     fn of(asked: &GridWalk, way: &mut Way) -> Option<Self> {
         let through = Through::of(asked, way)?;
-        let start = through.o + through.enter * through.d;
+        let enter = way.part("enter in o + enter·d", through.enter);
+        let start = through.o + enter * through.d;
         let start = way.part("o + enter·d", start);
         let inside = way.part("o + enter·d − min", start - through.min);
         let size = way.part("cell in (o + enter·d − min)/cell", through.size);
@@ -195,8 +196,8 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
                 z,
                 leave: leave as f32,
             });
-            enter = leave;
         }
+        enter = leave;
         if way.is_at_most("the way through the lattice has ended", end, leave) {
             return visits;
         }

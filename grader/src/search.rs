@@ -37,8 +37,8 @@ pub const FLAWS: &[Flaw] = &[
     },
     Flaw {
         complaint: " m too ",
-        name: "finds another hit than the nearest",
-        hint: "If several triangles are hit, which of them stays?",
+        name: "returns another distance than that of the nearest hit",
+        hint: "If several triangles are hit, which of them stays, and from where is t measured?",
     },
 ];
 

@@ -88,6 +88,9 @@ common! {
     3 12 "takes 0 for x": Together |v| v[0] = 0.0;
     3 12 "takes 0 for y": Together |v| v[1] = 0.0;
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;
+    3 12 "takes 1 for x": Together |v| v[0] = 1.0;
+    3 12 "takes 1 for y": Together |v| v[1] = 1.0;
+    3 12 "takes 1 for z": Together |v| v[2] = 1.0;
     3 12 "takes the absolute value of x": Together |v| v[0] = v[0].abs();
     3 12 "takes the absolute value of y": Together |v| v[1] = v[1].abs();
     3 12 "takes the absolute value of z": Together |v| v[2] = v[2].abs();

@@ -238,7 +238,8 @@ fn by_clipping(q: &TwoLevelWalk, way: &mut Way) -> Vec<u32> {
             "the fine cells of the coarse cells before",
             f64::from(first),
         );
-        let count = n.element_product();
+        let counted = way.part("nx, ny and nz in the number of fine cells", n.as_dvec3());
+        let count = counted.element_product() as u32;
         first += count;
         if way.is_less("a coarse cell is empty", count.into(), 1.0) {
             continue;
@@ -248,7 +249,8 @@ fn by_clipping(q: &TwoLevelWalk, way: &mut Way) -> Vec<u32> {
         let Some([begin, end]) = rays::clipped(ray, [begin, end], corner, corner + size) else {
             continue;
         };
-        let size = way.part("the extents of a fine cell", size / along);
+        let whole = way.part("the extents of a coarse cell, in those of a fine one", size);
+        let size = way.part("the extents of a fine cell", whole / along);
         let strides = way.part("nx and ny in x + nx·(y + ny·z)", n.as_dvec3().truncate());
         for at in cells(n) {
             let low = way.part(

@@ -54,6 +54,10 @@ pub enum Mixed {
     },
     /// The step plus this many times the value.
     Plus(f64),
+    /// The value is a factor with this power, 1 or −1, and is added, or subtracted.
+    Added(f64),
+    /// The value is a summand with this factor, and is multiplied by.
+    Multiplied(f64),
 }
 
 impl Mixed {
@@ -62,6 +66,8 @@ impl Mixed {
         match self {
             Self::Times { power, by } => by * v * other.powf(power),
             Self::Plus(factor) => v + factor * other,
+            Self::Added(power) => v * other.powf(-power) + power * other,
+            Self::Multiplied(factor) => (v - factor * other) * other,
         }
     }
 }

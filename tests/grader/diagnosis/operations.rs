@@ -343,7 +343,7 @@ fn a_box_whose_planes_are_sorted_is_followed_too() {
             vec![0.0]
         })
     });
-    let told = "“t of the least plane”: has the sign of the value wrong";
+    let told = "“the least plane, seen from the start”: has the sign of the value wrong";
     assert!(found.name.ends_with(told), "{found:?}");
 }
 

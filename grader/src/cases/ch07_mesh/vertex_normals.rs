@@ -59,6 +59,16 @@ impl Graded for VertexNormals {
             answer: |q| normals(q, |e1, e2| e1.cross(e2).normalize_or_zero()),
         },
         Mistake {
+            name: "weighs by 1 over the area, so that small triangles count most",
+            hint: "Cut a triangle in two, from a vertex to the opposite side: should the normal at this vertex change?",
+            answer: |q| {
+                normals(q, |e1, e2| {
+                    let across = e1.cross(e2);
+                    across / across.length_squared().max(f32::MIN_POSITIVE)
+                })
+            },
+        },
+        Mistake {
             name: "forgets to normalise",
             hint: "How long is a sum of many normals?",
             answer: |q| sums(q, Vec3::cross),

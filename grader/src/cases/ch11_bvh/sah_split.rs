@@ -278,6 +278,11 @@ impl Graded for SahSplit {
             answer: |q| least(q, |bounds, count| bounds.size().max_element() * count),
         },
         Mistake {
+            name: "adds the extents for the area",
+            hint: "In which unit is an area, and in which is your sum?",
+            answer: |q| least(q, |bounds, count| bounds.size().element_sum() * count),
+        },
+        Mistake {
             name: "takes the most expensive cut",
             hint: "A cost is something to keep small: which way round do you compare?",
             answer: |q| least(q, |bounds, count| -sah(bounds, count)),

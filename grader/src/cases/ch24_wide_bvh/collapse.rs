@@ -279,6 +279,18 @@ impl Graded for Collapse {
             answer: |q| families(q, while_fewer(MOST + 1, half_area)),
         },
         Mistake {
+            name: "goes on to eight branches, and does not count the leaves among the children",
+            hint: "How many children may a branch have, leaves included?",
+            answer: |q| {
+                families(q, |q, members| {
+                    let branches = members.iter().filter(|&&member| is_branch(q, member));
+                    (branches.count() < MOST)
+                        .then(|| best(q, members, half_area))
+                        .flatten()
+                })
+            },
+        },
+        Mistake {
             name: "forgets the second child of the last branch it opens",
             hint: "Count the leaves before and after.",
             answer: |q| {

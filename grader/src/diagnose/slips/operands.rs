@@ -292,6 +292,12 @@ fn factor_slips(power: f64, name: &str) -> Vec<(String, u32, Mixed)> {
         (twice, 12, times(power)),
     ];
     if power.abs() == 1.0 {
+        let added = if power > 0.0 {
+            format!("adds “{name}” instead of multiplying by it")
+        } else {
+            format!("subtracts “{name}” instead of dividing by it")
+        };
+        slips.push((added, 11, Mixed::Added(power)));
         let root = format!("takes the square root of “{name}” there");
         slips.push((root, 12, times(-0.5 * power)));
     } else {
@@ -330,6 +336,13 @@ fn summand_slips(factor: f64, name: &str) -> Vec<(String, u32, Mixed)> {
         (turned, 9, Mixed::Plus(-2.0 * factor)),
         (twice, 12, Mixed::Plus(factor)),
     ];
+    let done = if factor > 0.0 {
+        "adding"
+    } else {
+        "subtracting"
+    };
+    let multiplied = format!("multiplies by “{name}” instead of {done} it");
+    slips.push((multiplied, 11, Mixed::Multiplied(factor)));
     if (factor.abs() - 1.0).abs() > 1e-3 {
         let bare = format!("takes “{name}” without its factor");
         slips.push((bare, 10, Mixed::Plus(factor.signum() - factor)));

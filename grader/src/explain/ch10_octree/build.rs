@@ -113,7 +113,7 @@ impl Explained for OctreeBuild {
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
             let left = left_to_a_child(way, copies, [below, n]);
-            for child in (0..8).rev() {
+            for child in way.rounds("a cell's children", 8).rev() {
                 let inside = shapes.iter().zip(&reach);
                 let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);
                 to_do.push(Growing {

@@ -6,6 +6,7 @@
 //! other, or each in other cases. An answer of several parts may have a mistake in each.
 
 mod branch;
+mod component;
 mod cover;
 mod evidence;
 mod fit;
@@ -161,6 +162,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         let nearly = whole
             .as_ref()
             .filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
+        // A slip that explains all comes before what explains nearly all.
+        let explains_all = |one: &Diagnosis| one.explained == evidence.wrong;
+        let is_less = slip.as_ref().is_some_and(explains_all);
+        let nearly = nearly.filter(|one| one.is_own() || !is_less);
         let nearly = nearly.map(|one| one.told(evidence));
         let is_good =
             nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);

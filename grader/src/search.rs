@@ -97,6 +97,8 @@ pub struct How {
     pub asks: bool,
     /// Asks the box of the first child for all of them.
     pub asks_the_first: bool,
+    /// Looks at the first child in place of the second too.
+    pub looks_twice: bool,
     /// How many of a branch's children are looked at.
     pub looks_at: usize,
     /// How many of those that are met are opened.
@@ -133,6 +135,7 @@ pub struct How {
 const WELL: How = How {
     asks: true,
     asks_the_first: false,
+    looks_twice: false,
     looks_at: usize::MAX,
     opens: usize::MAX,
     order: Order::Nearest,
@@ -297,6 +300,10 @@ impl Search<'_> {
             for child in &mut children {
                 child.0 = first;
             }
+        }
+        if self.how.looks_twice {
+            let again = (self.tree.children)(branch).into_iter().take(1);
+            children.splice(1.., again);
         }
         let children = children.into_iter();
         let mut met: Vec<_> = children

@@ -70,6 +70,8 @@ functions! {
     10 Number "rounds the answer up to a whole number", "Is the answer a whole number?": f64::ceil;
     12 Number "rounds the answer to a whole number", "Is the answer a whole number?": f64::round;
     12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
+    13 Number "rounds the answer to 2 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e2).round() / 1e2;
+    13 Number "rounds the answer to 3 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e3).round() / 1e3;
     12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
     12 Number "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
     12 Number "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();

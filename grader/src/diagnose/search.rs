@@ -1,5 +1,6 @@
 //! Trying all explanations by one mistake.
 
+use super::component;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
@@ -88,6 +89,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     let golden = golden(evidence);
     let mut made = special::explanations(evidence, &golden);
     made.extend(fit::explanations(evidence, &golden, true));
+    made.extend(component::explanations(evidence));
     for one in made {
         let answers = one.answers.clone();
         consider(evidence, share, one, &|k| answers[k].clone(), found);

@@ -3,6 +3,7 @@
 mod alike;
 mod largest;
 mod lists;
+mod mean;
 mod parts;
 
 use super::evidence::{Evidence, Scope};
@@ -27,6 +28,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
     all.extend(alike::explanations(evidence, base));
     all.extend(largest::explanations(evidence, base));
     all.extend(lists::explanations(evidence, base));
+    all.extend(mean::explanations(evidence, base));
     if evidence.scope == Scope::Whole {
         all.extend(parts::explanations(evidence, base));
     }

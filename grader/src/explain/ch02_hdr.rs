@@ -45,10 +45,44 @@ impl Explained for ToneMap {
     }
 }
 
+/// The code value of a linear value from 0 to 1.
+fn curve(way: &mut Way, v: f64) -> f64 {
+    /// Where the curve's straight beginning ends.
+    const STRAIGHT: f32 = 0.003_130_8;
+    let end = way.part(
+        "0.0031308, where the straight part ends",
+        f64::from(STRAIGHT),
+    );
+    if way.is_at_most("v is in the straight part of the curve", v, end) {
+        way.remark("v is at most 0.0031308: the curve is straight.");
+        way.number("12.92 v", "", 12.92 * v)
+    } else {
+        let power = way.part("the exponent 1/2.4", 1.0 / 2.4);
+        let root = way.power("v^(1/2.4)", v, power);
+        let root = way.number("v^(1/2.4)", "", root);
+        let factor = way.part("the factor 1.055", 1.055);
+        let offset = way.part("the offset 0.055", 0.055);
+        let product = way.part("1.055 v^(1/2.4)", factor * root);
+        way.number("1.055 v^(1/2.4) − 0.055", "", product - offset)
+    }
+}
+
+/// The same, with an answer of its own for what is outside of 0 to 1.
+fn by_ends(asked: &EncodeSrgb, way: &mut Way) -> f32 {
+    let v = way.part("v", f64::from(asked.v));
+    if !way.is_less("v is above 0", 0.0, v) {
+        return 0.0;
+    }
+    if way.is_at_most("v is 1 at least", 1.0, v) {
+        return 1.0;
+    }
+    curve(way, v) as f32
+}
+
 impl Explained for EncodeSrgb {
+    const WAYS: &'static [fn(&Self, &mut Way) -> f32] = &[Self::work, by_ends];
+
     fn work(&self, way: &mut Way) -> f32 {
-        /// Where the curve's straight beginning ends.
-        const STRAIGHT: f32 = 0.003_130_8;
         let v = f64::from(self.v);
         // NaN has no code value; it is shown as black.
         let is_light = way.is_less("v is above 0", 0.0, v);
@@ -59,22 +93,6 @@ impl Explained for EncodeSrgb {
             least
         };
         let v = way.number("v, clamped to [0, 1]", "", most);
-        let end = way.part(
-            "0.0031308, where the straight part ends",
-            f64::from(STRAIGHT),
-        );
-        let code = if way.is_at_most("v is in the straight part of the curve", v, end) {
-            way.remark("v is at most 0.0031308: the curve is straight.");
-            way.number("12.92 v", "", 12.92 * v)
-        } else {
-            let power = way.part("the exponent 1/2.4", 1.0 / 2.4);
-            let root = way.power("v^(1/2.4)", v, power);
-            let root = way.number("v^(1/2.4)", "", root);
-            let factor = way.part("the factor 1.055", 1.055);
-            let offset = way.part("the offset 0.055", 0.055);
-            let product = way.part("1.055 v^(1/2.4)", factor * root);
-            way.number("1.055 v^(1/2.4) − 0.055", "", product - offset)
-        };
-        code as f32
+        curve(way, v) as f32
     }
 }

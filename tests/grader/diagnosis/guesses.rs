@@ -301,3 +301,46 @@ fn a_value_of_the_round_before_is_named() {
     let told = "takes for “what a triangle gives to its vertices” the value of the round before";
     assert!(names(&found).contains(&told), "{found:?}");
 }
+
+#[test]
+fn a_mean_for_a_sum_is_told() {
+    let found = diagnosed("sah_cost", |q| {
+        let nodes = q[2];
+        let cost = right("sah_cost", q);
+        Some(cost.iter().map(|v| v / nodes).collect())
+    });
+    let told = "divides by the length of the list, as for a mean";
+    assert_eq!(names(&found), [told]);
+}
+
+#[test]
+fn a_mistake_in_one_channel_only_is_told() {
+    let found = diagnosed("tone_map", |q| {
+        let mut mapped = right("tone_map", q);
+        mapped[1] = q[1] / (1.0 + q[1]);
+        Some(mapped)
+    });
+    let told = "maps each channel by itself, in g only";
+    assert!(names(&found).contains(&told), "{found:?}");
+}
+
+#[test]
+fn a_step_that_is_rounded_is_told() {
+    let found = diagnosed("encode_srgb", |q| {
+        let v = q[0];
+        let curve = 1.055 * v.max(0.0).powf(1.0 / 2.4) - 0.055;
+        let rounded = (curve * 1e3).round() / 1e3;
+        let code = if v <= 0.0 {
+            0.0
+        } else if v >= 1.0 {
+            1.0
+        } else if v <= 0.003_130_8 {
+            12.92 * v
+        } else {
+            rounded
+        };
+        Some(vec![code])
+    });
+    let told = "rounds the value to 3 digits behind the decimal point";
+    assert!(found.name.ends_with(told), "{found:?}");
+}

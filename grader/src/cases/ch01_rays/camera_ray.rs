@@ -63,6 +63,15 @@ impl Graded for CameraRay {
             answer: |q| Self::misread(q, |q| q.film += vec2(0.5, -0.5)),
         },
         Mistake {
+            name: "takes the world's axes for the camera's",
+            hint: "A camera that looks along +x: in which direction of the world does it look, and where is its right?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    (q.right, q.up, q.forward) = (Dir3::X, Dir3::Y, -Dir3::Z);
+                })
+            },
+        },
+        Mistake {
             name: "ignores the size of the plane",
             hint: "A place on the film is a fraction: of what length?",
             answer: |q| Self::misread(q, |q| q.plane = Vec2::ONE),

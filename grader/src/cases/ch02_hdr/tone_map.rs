@@ -29,6 +29,14 @@ impl Graded for ToneMap {
             answer: |q| q.radiance / (1.0 + (q.radiance.r + q.radiance.g + q.radiance.b) / 3.0),
         },
         Mistake {
+            name: "takes the length of the colour as a vector for the luminance",
+            hint: "White is (1, 1, 1), and its luminance is 1: what is the length of this vector?",
+            answer: |q| {
+                let Rgb { r, g, b } = q.radiance;
+                q.radiance / (1.0 + (r * r + g * g + b * b).sqrt())
+            },
+        },
+        Mistake {
             name: "takes the green channel for the luminance",
             hint: "Green looks brightest to the eye: how bright is a pure red?",
             answer: |q| q.radiance / (1.0 + q.radiance.g),

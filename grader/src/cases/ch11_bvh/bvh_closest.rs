@@ -136,6 +136,25 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.asks_the_first = true),
         },
         Mistake {
+            name: "looks at the first child of each branch twice, and at the second never",
+            hint: "A branch has two children: what are their numbers?",
+            answer: |q| search(q, |how| how.looks_twice = true),
+        },
+        Mistake {
+            name: "returns the number of the first triangle in the leaf that is hit",
+            hint: "A leaf of two triangles, of which the second is hit: what is its number?",
+            answer: |q| {
+                let mut answer = Self::answer(q);
+                if let Some(hit) = &mut answer.hit {
+                    let holds =
+                        |node: &&NodeRow| (node.first..node.first + node.count).contains(&hit.id);
+                    let leaf = q.nodes.iter().find(holds);
+                    hit.id = leaf.map_or(hit.id, |leaf| leaf.first);
+                }
+                answer
+            },
+        },
+        Mistake {
             name: "leaves out the last triangle of each leaf",
             hint: "A leaf of one triangle: how often does your loop over its triangles go round?",
             answer: |q| search(q, |how| how.forgets_the_last = true),

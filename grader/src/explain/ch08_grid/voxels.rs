@@ -40,8 +40,10 @@ fn tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
     let margin = way.part("margin", f64::from(asked.margin));
     let around = way.part("the margin around the triangle's box", margin);
     let most = UVec3::new(asked.nx, asked.ny, asked.nz).as_ivec3() - 1;
-    let least = corners.into_iter().fold(DVec3::INFINITY, DVec3::min) - around;
-    let greatest = corners.into_iter().fold(DVec3::NEG_INFINITY, DVec3::max) + around;
+    let below = &corners[way.rounds("the corners, for the least corner of their box", 3)];
+    let above = &corners[way.rounds("the corners, for the greatest corner of their box", 3)];
+    let least = below.iter().copied().fold(DVec3::INFINITY, DVec3::min) - around;
+    let greatest = above.iter().copied().fold(DVec3::NEG_INFINITY, DVec3::max) + around;
     let least = way.vector(
         "the least corner of the triangle's box, less the margin",
         "m",

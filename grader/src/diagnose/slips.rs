@@ -1,6 +1,7 @@
 //! Explanations by one step that goes wrong: the steps of `raybook explain` with another value at one of them, or another decision.
 //! Every exercise with steps has them for nothing.
 
+mod brackets;
 mod operands;
 
 use super::evidence::Evidence;

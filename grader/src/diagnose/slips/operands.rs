@@ -1,14 +1,15 @@
 //! What goes into a step, found by trying: if twice the value of another step makes a step twice as large, it is a factor; if a little
 //! more of it makes it as much larger, a summand. So slips in one operation have their names without a word in any exercise.
 
+use super::brackets::{Input, brackets};
 use crate::attempt::attempt;
 use crate::explain::Explainer;
-use crate::explain::slip::{Bracket, Change, Mixed, Place, Slip};
+use crate::explain::slip::{Change, Mixed, Place, Slip};
 use crate::explain::way::{Step, Walked, Way};
 
 /// How a value goes into a step, in every question that was tried.
 #[derive(Clone, Copy, Debug, PartialEq)]
-enum Operand {
+pub enum Operand {
     /// As a factor with this power: 1; −1 for a divisor; 2 for a square.
     Factor(f64),
     /// As a summand with this factor: 1; −1 if it is subtracted.
@@ -101,93 +102,6 @@ pub fn operations(
     let all: Vec<_> = all.iter().flat_map(goes_in).collect();
     operations.extend(brackets(&all));
     operations
-}
-
-/// A value that goes into a step.
-struct Input {
-    of: Place,
-    name: String,
-    at: Place,
-    how: Operand,
-}
-
-/// The slips with brackets: f·x + c for f·(x + c), or the other way round.
-fn brackets(all: &[Input]) -> Vec<(Place, Operation)> {
-    let factors = |at: Place| {
-        let into = all.iter().filter(move |one| one.at == at);
-        into.filter_map(|one| match one.how {
-            Operand::Factor(power) if power.abs() == 1.0 => Some((one, power)),
-            _ => None,
-        })
-    };
-    let summands = |at: Place| {
-        let into = all.iter().filter(move |one| one.at == at);
-        into.filter_map(|one| match one.how {
-            Operand::Summand(times) => Some((one, times)),
-            Operand::Factor(_) => None,
-        })
-    };
-    let goes_into = |of: Place, at: Place| all.iter().any(|one| one.of == of && one.at == at);
-    let mut found = Vec::new();
-    let mut add = |at, belongs, (summand, times): (&Input, f64), (factor, power): (&Input, f64)| {
-        let name = words(belongs, (&summand.name, times), (&factor.name, power));
-        let (summand, factor) = (summand.of, factor.of);
-        let bracket = Bracket {
-            summand,
-            times,
-            factor,
-            power,
-            belongs,
-        };
-        let slip = Slip::Bracket(at, bracket);
-        let rank = 11;
-        found.push((at, Operation { name, rank, slip }));
-    };
-    for into in all {
-        let (x, at) = (into.of, into.at);
-        match into.how {
-            // f·(x + c), where the sum is a step.
-            Operand::Factor(1.0) => {
-                for factor in factors(at).filter(|(one, _)| one.of != x && !goes_into(one.of, x)) {
-                    for summand in summands(x).filter(|(one, _)| one.of != factor.0.of) {
-                        add(at, true, summand, factor);
-                    }
-                }
-            }
-            // f·x + c, where the product is a step.
-            Operand::Summand(_) => {
-                for factor in factors(x) {
-                    let is_other = |(one, _): &(&Input, f64)| {
-                        one.of != x && one.of != factor.0.of && !goes_into(one.of, x)
-                    };
-                    for summand in summands(at).filter(is_other) {
-                        add(at, false, summand, factor);
-                    }
-                }
-            }
-            Operand::Factor(_) => {}
-        }
-    }
-    found
-}
-
-/// What is done first, and what after it, that should come before.
-fn words(belongs: bool, (summand, times): (&str, f64), (factor, power): (&str, f64)) -> String {
-    let (adds, adding) = if times < 0.0 {
-        ("subtracts", "subtracting")
-    } else {
-        ("adds", "adding")
-    };
-    let (multiplies, multiplying) = if power < 0.0 {
-        ("divides", "dividing")
-    } else {
-        ("multiplies", "multiplying")
-    };
-    if belongs {
-        format!("{multiplies} by “{factor}” before {adding} “{summand}”, as without brackets")
-    } else {
-        format!("{adds} “{summand}” before {multiplying} by “{factor}”, as with brackets")
-    }
 }
 
 /// What the numbers of a value are called, where there are several.

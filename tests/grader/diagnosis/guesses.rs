@@ -325,7 +325,7 @@ fn a_mistake_in_one_channel_only_is_told() {
 }
 
 #[test]
-fn a_step_that_is_rounded_is_told() {
+fn an_answer_that_is_rounded_in_one_branch_is_told() {
     let found = diagnosed("encode_srgb", |q| {
         let v = q[0];
         let curve = 1.055 * v.max(0.0).powf(1.0 / 2.4) - 0.055;
@@ -341,6 +341,6 @@ fn a_step_that_is_rounded_is_told() {
         };
         Some(vec![code])
     });
-    let told = "rounds the value to 3 digits behind the decimal point";
-    assert!(found.name.ends_with(told), "{found:?}");
+    let told = "rounds the answer to 3 digits behind the decimal point";
+    assert_eq!(found.name, told);
 }

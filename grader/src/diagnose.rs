@@ -109,6 +109,8 @@ pub fn diagnose(
     if flaws::are_called(&diagnosis.name, examiner) {
         regime::add_to(&mut diagnosis, &evidence);
     }
+    // What is seen in a few answers tells nothing of those that did not come.
+    diagnosis.certain &= 2 * evidence.wrong >= wrong;
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;
@@ -127,9 +129,11 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found.told(evidence));
     }
     let cover = cover::search(evidence);
-    // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it.
+    // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it. Of yes and no
+    // many do, for few are given by chance all the wrong ones and no right one.
     let is_one = complete.is_some_and(|one| {
-        one.then.is_none() && 2.0 * one.score.tells >= one.score.explained as f64
+        let tells = 2.0 * one.score.tells >= one.score.explained as f64;
+        one.then.is_none() && (tells || one.score.tells >= TELLS)
     });
     if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole() && !is_one) {
         return found.told();
@@ -179,7 +183,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             }
         };
     }
-    let likely = likely.map(|one| one.diagnosis);
+    let (near, likely) = match likely {
+        Some(one) if one.is_near && one.is_cause => (Some(one.diagnosis), None),
+        likely => (None, likely.map(|one| one.diagnosis)),
+    };
     let most = whole.as_ref().map_or(0, |found| found.score.explained);
     // One mistake is told before two of which each is in a part of its own, and these before two one after the other.
     if let Some(found) = complete.filter(|found| found.then.is_none()) {
@@ -200,6 +207,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or_else(|| slip.clone().filter(|slip| slip.explained > most))
         .or_else(|| whole.map(|found| with_rest(evidence, &readings, &found)))
         .or(slip)
+        .or(near)
         .or(seen)
         .or(likely)
         .or(parts)

@@ -49,6 +49,12 @@ impl Found {
         NEARLY * (self.score.missed + self.score.contradicted) <= self.score.explained
     }
 
+    /// Whether it is one mistake that no right answer contradicts, and few of the wrong ones are not to the last digits as it says.
+    pub fn is_nearly_the_one(&self) -> bool {
+        let is_near = self.is_nearly_complete() && self.score.contradicted == 0;
+        self.is_complete() || is_near && self.then.is_none() && self.is_sharp()
+    }
+
     /// Whether most of what it explains is as it says to the last digits. Guesses are many: within a judge's tolerance, one or another
     /// fits by chance.
     fn is_sharp(&self) -> bool {

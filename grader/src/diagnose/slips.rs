@@ -6,7 +6,7 @@ mod operands;
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
-use crate::explain::slip::{Change, Rounds, Slip};
+use crate::explain::slip::{Among, Change, Mixed, Rounds, Slip};
 use crate::explain::way::{Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
@@ -47,12 +47,18 @@ common! {
     0 10 "takes the value divided by 2π": Each |v| v / TAU;
     0 12 "takes π² times the value, as if it were multiplied by π instead of divided": Each |v| PI * PI * v;
     0 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
-    0 11 "takes the value plus 1": Each |v| v + 1.0;
-    0 11 "takes the value minus 1": Each |v| v - 1.0;
-    0 11 "takes the value plus ½": Each |v| v + 0.5;
-    0 11 "takes the value minus ½": Each |v| v - 0.5;
-    0 12 "takes the value plus 2": Each |v| v + 2.0;
-    0 12 "takes the value minus 2": Each |v| v - 2.0;
+    1 11 "takes the value plus 1": Each |v| v + 1.0;
+    1 11 "takes the value minus 1": Each |v| v - 1.0;
+    1 11 "takes the value plus ½": Each |v| v + 0.5;
+    1 11 "takes the value minus ½": Each |v| v - 0.5;
+    1 12 "takes the value plus 2": Each |v| v + 2.0;
+    1 12 "takes the value minus 2": Each |v| v - 2.0;
+    2 11 "takes the value plus 1": Each |v| v + 1.0;
+    2 11 "takes the value minus 1": Each |v| v - 1.0;
+    2 11 "takes the value plus ½": Each |v| v + 0.5;
+    2 11 "takes the value minus ½": Each |v| v - 0.5;
+    2 12 "takes the value plus 2": Each |v| v + 2.0;
+    2 12 "takes the value minus 2": Each |v| v - 2.0;
     0 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
     0 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
     2 10 "exchanges both numbers": Together |v| v.swap(0, 1);
@@ -248,6 +254,11 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
+    let too_many = if evidence.is_judged() && evidence.tells_much() {
+        TOO_MANY
+    } else {
+        &[]
+    };
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
@@ -269,6 +280,28 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
                 add(name, hint, rank, Slip::Other { at, of });
+                for (what, how) in too_many {
+                    // Only what has the same unit can be added.
+                    if matches!(how, Mixed::Times(_)) || other.unit == step.unit {
+                        let name = format!(
+                            "goes wrong at the step “{}”: {what} “{}” too",
+                            short(step),
+                            short(other)
+                        );
+                        let how = *how;
+                        add(
+                            name,
+                            hint,
+                            13,
+                            Slip::Mix {
+                                at,
+                                of,
+                                how,
+                                only: None,
+                            },
+                        );
+                    }
+                }
             }
         }
     }
@@ -297,8 +330,8 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     let mut all = Vec::new();
     for one in &passed.decisions {
         let (name, place) = (one.name, one.place);
-        let mut add = |name, rank, slip| all.push((name, CONDITION, rank, slip));
-        let mut turned = |name, of| add(name, 9, Slip::Decision(place, of));
+        let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
+        let mut turned = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
         turned(format!("never takes it into account when {name}"), |_| {
             false
         });
@@ -307,16 +340,22 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
             format!("decides the other way round whether {name}"),
             |holds| !holds,
         );
+        if one.asks_several {
+            for (rank, what, of) in AMONG {
+                let name = format!("{what} when it decides whether {name}");
+                add(name, EACH, *rank, Slip::Among(place, *of));
+            }
+        }
         if one.compares {
             let tie = format!(
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
-            add(tie, 10, Slip::Tie(place));
+            add(tie, CONDITION, 10, Slip::Tie(place));
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
                     "takes a difference of less than {least} for none when it decides whether {name}"
                 );
-                add(near, rank, Slip::Near(place, least));
+                add(near, CONDITION, rank, Slip::Near(place, least));
             }
         }
     }
@@ -332,6 +371,33 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     }
     all
 }
+
+/// What is done with a value that does not belong into a step at all.
+const TOO_MANY: &[(&str, Mixed)] = &[
+    ("multiplies by", Mixed::Times(1.0)),
+    ("divides by", Mixed::Times(-1.0)),
+    ("adds", Mixed::Plus(1.0)),
+    ("subtracts", Mixed::Plus(-1.0)),
+];
+
+/// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
+const AMONG: &[(u32, &str, Among)] = &[
+    (9, "lets the last alone count", |all| {
+        all.last() == Some(&true)
+    }),
+    (9, "lets the first alone count", |all| {
+        all.first() == Some(&true)
+    }),
+    (9, "leaves out the first", |all| {
+        all.iter().skip(1).any(|one| *one)
+    }),
+    (9, "leaves out the last", |all| {
+        all.iter().rev().skip(1).any(|one| *one)
+    }),
+    (9, "wants all, where one is enough,", |all| {
+        all.iter().all(|one| *one)
+    }),
+];
 
 /// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
 const ROUNDS: &[(u32, &str, Rounds)] = &[
@@ -366,6 +432,9 @@ const ROUND: &str =
 /// What leads on from a decision.
 const CONDITION: &str =
     "Which of your conditions decides this? Print its two sides in the first wrong case.";
+
+/// What leads on from several things that are asked.
+const EACH: &str = "Print for each of them in turn what your function finds: which of them are asked, and which of the findings is kept?";
 
 /// What leads on from what is forgotten.
 const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";

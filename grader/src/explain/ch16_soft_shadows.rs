@@ -42,15 +42,19 @@ impl Explained for SampleRect {
         way.remark("The first sample; the others go the same way:");
         let samples = way.of_first(lattice(self.n), |way, u| {
             let u = way.pair("u", "", u);
-            let along_a = way.part("u.x·a", u.x * a);
-            let along_b = way.part("u.y·b", u.y * b);
+            let side_a = way.part("a, along which u.x goes", a);
+            let side_b = way.part("b, along which u.y goes", b);
+            let along_a = way.part("u.x·a", u.x * side_a);
+            let along_b = way.part("u.y·b", u.y * side_b);
             let r = corner + along_a + along_b - at;
             let r = way.vector("r = corner + u.x·a + u.y·b − at", "m", r);
-            let distance = way.part("|r|", r.length());
+            let long = way.part("r, whose length is |r|", r);
+            let distance = way.part("|r|", long.length());
+            let products = way.part("the products that r·normal adds up", r * normal);
             let cosine = way.number(
                 "the cosine at the light, −r·normal/|r|",
                 "",
-                -r.dot(normal) / distance,
+                -products.element_sum() / distance,
             );
             if way.decides("the light turns its back to the point", cosine <= 0.0) {
                 way.remark("It is not positive: the light turns its back to the point.");

@@ -19,8 +19,11 @@ impl Explained for BrdfPhong {
         let n = way.part("N", n);
         let v = way.part("V", v);
         let l = way.part("L", l);
-        let cosine = way.number("N·L, the light's height above the surface", "", n.dot(l));
-        let seen = way.number("N·V, the viewer's", "", n.dot(v));
+        let products = way.part("the products that N·L adds up", n * l);
+        let cosine = products.element_sum();
+        let cosine = way.number("N·L, the light's height above the surface", "", cosine);
+        let products = way.part("the products that N·V adds up", n * v);
+        let seen = way.number("N·V, the viewer's", "", products.element_sum());
         let unlit = way.decides("the light is not above the surface", cosine <= 0.0);
         let unseen = way.decides("the viewer is not above the surface", seen <= 0.0);
         if unlit || unseen {
@@ -31,7 +34,8 @@ impl Explained for BrdfPhong {
         let matte = way.vector("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
         let along = way.part("2 (N·L) N", 2.0 * cosine * n);
         let mirrored = way.vector("R = 2 (N·L) N − L", "", along - l);
-        let cos_alpha = way.number("cos α = R·V", "", mirrored.dot(v));
+        let products = way.part("the products that R·V adds up", mirrored * v);
+        let cos_alpha = way.number("cos α = R·V", "", products.element_sum());
         if way.decides("α is above 90°", cos_alpha <= 0.0) {
             way.remark("α is above 90°: there is no highlight.");
             return colour(matte);

@@ -102,11 +102,11 @@ fn rotated(asked: &RotatedGrid, way: &mut Way, sense: f64) -> Vec<Vec2> {
         "",
         middle + spacing * turned(nearest),
     );
-    // The square's half diagonal, in spacings: beyond it no lattice point is in the square.
+    // The square's diagonal, in spacings: wherever its middle is taken to be, no lattice point beyond that is in it.
     let reach = way.number(
         "lattice steps to try on each side",
         "",
-        (0.5 * 2.0_f64.sqrt() / spacing).ceil() + 1.0,
+        (2.0_f64.sqrt() / spacing).ceil() + 1.0,
     ) as i32;
     let steps =
         (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));

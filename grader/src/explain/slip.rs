@@ -76,6 +76,9 @@ impl Comparison {
     }
 }
 
+/// What is made of what holds or does not, each by itself, where one that holds is enough.
+pub type Among = fn(&[bool]) -> bool;
+
 /// What is made of the rounds of a loop.
 pub type Rounds = fn(Range<usize>) -> Range<usize>;
 
@@ -107,6 +110,8 @@ pub enum Slip {
     Stale(Place),
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),
+    /// Of several things of which one is enough, others are asked, or more must hold.
+    Among(Place, Among),
     /// Two numbers that differ by less than this are taken for equal.
     Near(Place, f64),
     /// Equal numbers are compared by < for ≤, or the other way round.
@@ -126,6 +131,7 @@ impl Slip {
             | Self::Other { at, .. }
             | Self::Mix { at, .. }
             | Self::Decision(at, _)
+            | Self::Among(at, _)
             | Self::Near(at, _)
             | Self::Tie(at)
             | Self::Forgotten(at)

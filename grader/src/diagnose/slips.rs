@@ -254,11 +254,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
-    let too_many = if evidence.is_judged() && evidence.tells_much() {
-        TOO_MANY
-    } else {
-        &[]
-    };
+    let takes_too_many = evidence.is_judged() && evidence.tells_much();
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
@@ -280,26 +276,10 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
                 add(name, hint, rank, Slip::Other { at, of });
-                for (what, how) in too_many {
-                    // Only what has the same unit can be added.
-                    if matches!(how, Mixed::Times(_)) || other.unit == step.unit {
-                        let name = format!(
-                            "goes wrong at the step “{}”: {what} “{}” too",
-                            short(step),
-                            short(other)
-                        );
-                        let how = *how;
-                        add(
-                            name,
-                            hint,
-                            13,
-                            Slip::Mix {
-                                at,
-                                of,
-                                how,
-                                only: None,
-                            },
-                        );
+                if takes_too_many {
+                    for (what, slip) in too_many(step, other) {
+                        let name = format!("goes wrong at the step “{}”: {what}", short(step));
+                        add(name, hint, 13, slip);
                     }
                 }
             }
@@ -372,13 +352,27 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     all
 }
 
-/// What is done with a value that does not belong into a step at all.
-const TOO_MANY: &[(&str, Mixed)] = &[
-    ("multiplies by", Mixed::Times(1.0)),
-    ("divides by", Mixed::Times(-1.0)),
-    ("adds", Mixed::Plus(1.0)),
-    ("subtracts", Mixed::Plus(-1.0)),
-];
+/// What is done at a step with the value of another that does not belong into it.
+fn too_many(step: &Step, other: &Step) -> Vec<(String, Slip)> {
+    let all = [
+        ("multiplies by", Mixed::Times(1.0)),
+        ("divides by", Mixed::Times(-1.0)),
+        ("adds", Mixed::Plus(1.0)),
+        ("subtracts", Mixed::Plus(-1.0)),
+    ];
+    let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
+    let fits = |(_, how): &(_, Mixed)| matches!(how, Mixed::Times(_)) || is_alike;
+    let slip = |(what, how)| {
+        let slip = Slip::Mix {
+            at: step.place,
+            of: other.place,
+            how,
+            only: None,
+        };
+        (format!("{what} “{}” too", short(other)), slip)
+    };
+    all.into_iter().filter(fits).map(slip).collect()
+}
 
 /// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
 const AMONG: &[(u32, &str, Among)] = &[

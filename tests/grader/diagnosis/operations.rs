@@ -487,20 +487,12 @@ fn who_lets_the_last_of_several_decide_is_told_so_before_two_mistakes() {
 
 #[test]
 fn who_wants_all_where_one_is_enough_is_told_so() {
-    let call = cases::find("needs_more").expect("it exists").asked().call;
-    let found = diagnosed("needs_more", |q| {
-        let alone = |channel: usize| {
-            let mut q = q.to_vec();
-            (0..3)
-                .filter(|other| *other != channel)
-                .for_each(|other| q[other] = f64::INFINITY);
-            q[3] = f64::INFINITY;
-            call(&q)[0] == 1.0
-        };
-        let error = call(&[&[f64::INFINITY; 3], &q[3..]].concat())[0];
-        let all = (0..3).all(alone);
-        Some(vec![f64::from(u8::from(all)).max(error)])
+    let call = cases::find("lit").expect("it exists").asked().call;
+    let found = diagnosed("lit", |q| {
+        let mut spheres = q[12..].chunks(4);
+        let hides = |sphere: &[f64]| call(&[&q[..11], &[1.0], sphere].concat()) == [0.0];
+        Some(vec![f64::from(u8::from(!spheres.all(hides)))])
     });
-    let told = "wants all, where one is enough, when it decides whether the contrast of a channel is above its limit";
+    let told = "wants all, where one is enough, when it decides whether a sphere is in the way";
     assert_eq!(found.name, told, "{found:?}");
 }

@@ -6,7 +6,7 @@ mod operands;
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
-use crate::explain::slip::{Among, Change, Mixed, Rounds, Slip};
+use crate::explain::slip::{Among, Change, Rounds, Slip};
 use crate::explain::way::{Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
@@ -85,6 +85,9 @@ common! {
     3 12 "takes x for all three": Together |v| v.fill(v[0]);
     3 12 "takes y for all three": Together |v| v.fill(v[1]);
     3 12 "takes z for all three": Together |v| v.fill(v[2]);
+    3 13 "takes twice x": Together |v| v[0] *= 2.0;
+    3 13 "takes twice y": Together |v| v[1] *= 2.0;
+    3 13 "takes twice z": Together |v| v[2] *= 2.0;
     3 13 "takes y for x": Together |v| v[0] = v[1];
     3 13 "takes z for x": Together |v| v[0] = v[2];
     3 13 "takes x for y": Together |v| v[1] = v[0];
@@ -254,7 +257,6 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
-    let takes_too_many = evidence.is_judged() && evidence.tells_much();
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
@@ -276,18 +278,13 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
                 add(name, hint, rank, Slip::Other { at, of });
-                if takes_too_many {
-                    for (what, slip) in too_many(step, other) {
-                        let name = format!("goes wrong at the step “{}”: {what}", short(step));
-                        add(name, hint, 13, slip);
-                    }
-                }
             }
         }
     }
     let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
     let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
-    for (at, operation) in operands::operations(explainer, number, &questions, &named) {
+    let tells = evidence.is_judged() && evidence.tells_much();
+    for (at, operation) in operands::operations(explainer, number, &questions, &named, tells) {
         let (step, hint) = steps
             .iter()
             .find(|(step, _)| step.place == at)
@@ -352,43 +349,21 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     all
 }
 
-/// What is done at a step with the value of another that does not belong into it.
-fn too_many(step: &Step, other: &Step) -> Vec<(String, Slip)> {
-    let all = [
-        ("multiplies by", Mixed::Times(1.0)),
-        ("divides by", Mixed::Times(-1.0)),
-        ("adds", Mixed::Plus(1.0)),
-        ("subtracts", Mixed::Plus(-1.0)),
-    ];
-    let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
-    let fits = |(_, how): &(_, Mixed)| matches!(how, Mixed::Times(_)) || is_alike;
-    let slip = |(what, how)| {
-        let slip = Slip::Mix {
-            at: step.place,
-            of: other.place,
-            how,
-            only: None,
-        };
-        (format!("{what} “{}” too", short(other)), slip)
-    };
-    all.into_iter().filter(fits).map(slip).collect()
-}
-
 /// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
 const AMONG: &[(u32, &str, Among)] = &[
-    (9, "lets the last alone count", |all| {
+    (2, "lets the last alone count", |all| {
         all.last() == Some(&true)
     }),
-    (9, "lets the first alone count", |all| {
+    (2, "lets the first alone count", |all| {
         all.first() == Some(&true)
     }),
-    (9, "leaves out the first", |all| {
+    (2, "leaves out the first", |all| {
         all.iter().skip(1).any(|one| *one)
     }),
-    (9, "leaves out the last", |all| {
+    (2, "leaves out the last", |all| {
         all.iter().rev().skip(1).any(|one| *one)
     }),
-    (9, "wants all, where one is enough,", |all| {
+    (2, "wants all, where one is enough,", |all| {
         all.iter().all(|one| *one)
     }),
 ];

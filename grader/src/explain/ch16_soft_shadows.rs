@@ -106,6 +106,9 @@ impl Explained for SampleSphereLight {
             let sine = way.part("sin θ", (x * (2.0 - x)).max(0.0).sqrt());
             let phi = way.part("φ = 2π u.y", TAU * u.y);
             let (sin_phi, cos_phi) = phi.sin_cos();
+            let x_axis = way.part("the axis along which cos φ goes", x_axis);
+            let y_axis = way.part("the axis along which sin φ goes", y_axis);
+            let axis = way.part("the axis to the light", axis);
             let toward = sine * cos_phi * x_axis + sine * sin_phi * y_axis + cosine * axis;
             let toward = way.vector(
                 "the direction, θ from the axis and turned by 2π u.y around it",

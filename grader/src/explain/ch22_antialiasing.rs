@@ -254,7 +254,8 @@ impl Explained for PixelAverage {
             let weight = way.number("w, their product; 0 if one is negative", "", weight);
             let light = way.part("L", parts(seen.radiance));
             let weighted = way.vector("w L", "W·m⁻²·sr⁻¹", weight * light);
-            (sum, weights) = (sum + weighted, weights + weight);
+            let counted = way.part("w in Σ w", weight);
+            (sum, weights) = (sum + weighted, weights + counted);
         }
         let sum = way.vector("Σ w L", "W·m⁻²·sr⁻¹", sum);
         let weights = way.number("Σ w", "", weights);

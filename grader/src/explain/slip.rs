@@ -49,6 +49,8 @@ pub enum Mixed {
     Times(f64),
     /// The step plus this many times the value.
     Plus(f64),
+    /// The step to the power of the value.
+    Raised,
 }
 
 impl Mixed {
@@ -57,6 +59,7 @@ impl Mixed {
         match self {
             Self::Times(power) => v * other.powf(power),
             Self::Plus(factor) => v + factor * other,
+            Self::Raised => v.powf(other),
         }
     }
 }

@@ -208,7 +208,7 @@ impl Graded for VisibleFraction {
                     .map(|ball| Self::misread(q, |q| q.balls = vec![ball.clone()]));
                 fractions
                     .reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
-                    .unwrap_or_else(|| VisibleFraction::answer(q))
+                    .unwrap_or_else(|| vec![0.0; q.points.len()])
             },
         },
         Mistake {

@@ -141,15 +141,6 @@ impl Graded for ReflectedRadiance {
             answer: |q| weighted(q, |cosine| 1.0 / cosine),
         },
         Mistake {
-            name: "divides by the number of the directions above the surface only",
-            hint: "A direction of the highlight's lobe may point into the surface, where f cos θ is 0: is it one of the samples of which the mean is taken?",
-            answer: |q| {
-                let lobe = |d: Dir3| [Rgb::gray(highlight(q, q.exponent, d))];
-                let [above] = integral(q.normal, lobe);
-                weighted(q, |_| 1.0) / (0.5 + 0.5 * above.r)
-            },
-        },
-        Mistake {
             name: "chooses directions uniformly and forgets to divide by the density",
             hint: "The mean over the hemisphere is not yet the integral: how large is the hemisphere?",
             answer: |q| weighted(q, |_| hemisphere::UNIFORM),

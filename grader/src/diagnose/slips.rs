@@ -277,7 +277,9 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 // What has another unit or another number of components is seldom taken by mistake.
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
-                add(name, hint, rank, Slip::Other { at, of });
+                if rank <= rarest {
+                    add(name, hint, rank, Slip::Other { at, of });
+                }
             }
         }
     }

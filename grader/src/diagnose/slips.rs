@@ -7,7 +7,7 @@ use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
 use crate::explain::slip::{Among, Change, Rounds, Slip};
-use crate::explain::way::{Decision, Loop, Operation, Step, Way};
+use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
@@ -319,13 +319,13 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
             format!("decides the other way round whether {name}"),
             |holds| !holds,
         );
-        if one.asks_several {
+        if one.asks == Asks::Several {
             for (rank, what, of) in AMONG {
                 let name = format!("{what} when it decides whether {name}");
                 add(name, EACH, *rank, Slip::Among(place, *of));
             }
         }
-        if one.compares {
+        if one.asks == Asks::Compared {
             let tie = format!(
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );

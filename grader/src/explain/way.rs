@@ -19,10 +19,19 @@ pub struct Decision {
     pub held: bool,
     /// Whether it did not at some time.
     pub failed: bool,
-    /// Whether it compares two numbers.
-    pub compares: bool,
-    /// Whether it asks several things, of which one is enough.
-    pub asks_several: bool,
+    /// What it asks.
+    pub asks: Asks,
+}
+
+/// What a decision asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asks {
+    /// Whether something holds.
+    One,
+    /// Whether one number is less than another, or equal.
+    Compared,
+    /// Whether any of several things holds.
+    Several,
 }
 
 /// An operation on a value, which may be forgotten.
@@ -208,7 +217,9 @@ impl Way {
         let holds = each.contains(&true);
         let holds = among.fold(holds, |_, holds| holds);
         let at = self.decision(name, place);
-        self.decisions[at].asks_several |= each.len() > 1;
+        if each.len() > 1 {
+            self.decisions[at].asks = Asks::Several;
+        }
         self.settle(at, holds, None)
     }
 
@@ -238,8 +249,7 @@ impl Way {
                 place,
                 held: false,
                 failed: false,
-                compares: false,
-                asks_several: false,
+                asks: Asks::One,
             });
             self.decisions.len() - 1
         })
@@ -250,7 +260,9 @@ impl Way {
         let decision = &mut self.decisions[at];
         decision.held |= holds;
         decision.failed |= !holds;
-        decision.compares |= of.is_some();
+        if of.is_some() {
+            decision.asks = Asks::Compared;
+        }
         let place = decision.place;
         let slips = self.slips.iter().flatten();
         slips.fold(holds, |holds, slip| slip.decided(place, holds, of))

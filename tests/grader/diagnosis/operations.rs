@@ -399,21 +399,17 @@ fn an_infinite_number_that_was_made_whole_is_called_so() {
 }
 
 /// A reflected direction, of the products that i·n adds up and of the twofold part along n.
-fn reflected(q: &[f64], products: DVec3, taken: impl Fn(DVec3) -> DVec3) -> Option<Vec<f64>> {
+fn reflected(q: &[f64], products: DVec3, taken: impl Fn(DVec3) -> DVec3) -> Vec<f64> {
     let [i, n] = [0, 3].map(|from| DVec3::from_slice(&q[from..]));
     let cosine = (i * n * products).element_sum();
-    Some(
-        (i - taken(2.0 * cosine * n))
-            .normalize()
-            .to_array()
-            .to_vec(),
-    )
+    let reflected = i - taken(2.0 * cosine * n);
+    reflected.normalize().to_array().to_vec()
 }
 
 #[test]
 fn a_dot_product_of_two_components_is_named() {
     let found = diagnosed("reflect", |q| {
-        reflected(q, DVec3::new(1.0, 1.0, 0.0), |part| part)
+        Some(reflected(q, DVec3::new(1.0, 1.0, 0.0), |part| part))
     });
     let told = "goes wrong at the step “the products that i·n adds up”: takes 0 for z";
     assert_eq!((&*found.name, found.certain), (told, true));
@@ -422,7 +418,7 @@ fn a_dot_product_of_two_components_is_named() {
 #[test]
 fn one_slip_that_explains_nearly_all_is_told_before_two() {
     let found = diagnosed("reflect", |q| {
-        reflected(q, DVec3::ONE, |part| part.with_x(0.0))
+        Some(reflected(q, DVec3::ONE, |part| part.with_x(0.0)))
     });
     let told = "takes 0 for x";
     assert!(found.name.ends_with(told), "{found:?}");
@@ -433,7 +429,7 @@ fn phong(
     q: &[f64],
     matte: impl Fn(f64, f64) -> f64,
     shiny: impl Fn(f64, DVec3) -> DVec3,
-) -> Option<Vec<f64>> {
+) -> Vec<f64> {
     let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
     let height = n.dot(l);
     let cosine = (2.0 * height * n - l).dot(v);
@@ -447,13 +443,13 @@ fn phong(
     } else {
         DVec3::ZERO
     };
-    Some(light.to_array().to_vec())
+    light.to_array().to_vec()
 }
 
 #[test]
 fn a_power_that_does_not_belong_there_is_named() {
     let found = diagnosed("phong", |q| {
-        phong(q, f64::powf, |shine, _| DVec3::splat(shine))
+        Some(phong(q, f64::powf, |shine, _| DVec3::splat(shine)))
     });
     let told = "goes wrong at the step “L·N in the diffuse part”: raises to the power of “α” too";
     assert_eq!(found.name, told);
@@ -462,7 +458,7 @@ fn a_power_that_does_not_belong_there_is_named() {
 #[test]
 fn a_factor_that_does_not_belong_there_is_named() {
     let found = diagnosed("phong", |q| {
-        phong(q, |height, _| height, |shine, i| shine * i)
+        Some(phong(q, |height, _| height, |shine, i| shine * i))
     });
     let told = "goes wrong at the step “specular: k_s times that”: multiplies by “i” too";
     assert_eq!(found.name, told);

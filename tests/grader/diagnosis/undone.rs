@@ -30,7 +30,7 @@ fn rings(q: &[f64], shift: DVec2) -> Vec<DVec2> {
 
 /// A list as the numbers of an answer.
 fn listed(points: &[DVec2]) -> Vec<f64> {
-    let numbers = points.iter().flat_map(|p| p.to_array());
+    let numbers = points.iter().flat_map(DVec2::to_array);
     std::iter::once(points.len() as f64)
         .chain(numbers)
         .collect()

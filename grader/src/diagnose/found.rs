@@ -11,7 +11,7 @@ const SOME: usize = 4;
 /// An explanation is nearly complete if it gives this many wrong answers for each one that is not as it says.
 const NEARLY: usize = 6;
 
-/// What is rarer than this is told only if it explains nearly all answers, and to the last digits.
+/// What is rarer than this is told only if it explains nearly all wrong answers, and to the last digits.
 const RARE: u32 = 26;
 
 /// An explanation, and how well it agrees.
@@ -74,7 +74,7 @@ impl Found {
             tells,
             ..
         } = self.score;
-        if self.rank > RARE && !(self.is_sharp() && self.is_nearly_complete()) {
+        if self.rank > RARE && !(self.is_sharp() && NEARLY * missed <= explained) {
             return false;
         }
         if tells >= 1.0 {

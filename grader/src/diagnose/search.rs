@@ -37,7 +37,8 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
         if best.is_own() {
             let is_rough = best.score.is_rough;
             let is_vague = best.is_categorical() && one.is_own() || is_rough;
-            is_vague && (one.is_complete() || is_rough && one.is_nearly_complete())
+            let is_near = one.score.missed == 0 && one.is_nearly_complete();
+            is_vague && (one.is_complete() || is_rough && is_near)
         } else {
             one.key() == best.key() && one.name != best.name
         }

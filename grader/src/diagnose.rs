@@ -72,6 +72,9 @@ const MOST: f64 = 0.8;
 /// What may have made what is seen in the answers must explain answers that tell this much.
 const TELLS: f64 = 2.0;
 
+/// The rank of the last mistake that is common enough to be told of yes and no before two others that explain them together.
+const COMMON: u32 = 24;
+
 /// What is seen in single parts only must give this share of them.
 const SOME: f64 = 0.4;
 
@@ -86,7 +89,12 @@ pub fn diagnose(
     let wrong = answers.iter().filter(|(_, right)| !right).count();
     let evidence = Evidence::new(examiner, cases, answers);
     let read = Some(&evidence).filter(|evidence| evidence.wrong > 0);
-    let found = read.and_then(of_all);
+    // What is seen in a few answers tells nothing of those that did not come.
+    let came = 2 * evidence.wrong >= wrong;
+    let found = read.and_then(of_all).map(|found| Diagnosis {
+        certain: found.certain && came,
+        ..found
+    });
     let named = |one: &Diagnosis| {
         let mut own = examiner.mistakes().into_iter();
         one.certain || own.any(|(name, _)| name == one.name)
@@ -128,9 +136,11 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found.told(evidence));
     }
     let cover = cover::search(evidence);
-    // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it.
+    // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it. Of yes and no
+    // many do: a common mistake seldom gives all the wrong ones and no right one by chance.
     let is_one = complete.is_some_and(|one| {
-        one.then.is_none() && 2.0 * one.score.tells >= one.score.explained as f64
+        let tells = 2.0 * one.score.tells >= one.score.explained as f64;
+        one.then.is_none() && (tells || one.score.tells >= TELLS && one.rank <= COMMON)
     });
     if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole() && !is_one) {
         return found.told();
@@ -184,7 +194,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
             }
         };
     }
-    let likely = likely.map(|one| one.diagnosis);
+    let (near, likely) = match likely {
+        Some(one) if one.is_near && one.is_cause => (Some(one.diagnosis), None),
+        likely => (None, likely.map(|one| one.diagnosis)),
+    };
     let most = whole.as_ref().map_or(0, |found| found.score.explained);
     // One mistake is told before two of which each is in a part of its own, and these before two one after the other.
     if let Some(found) = complete.filter(|found| found.then.is_none()) {
@@ -205,6 +218,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or_else(|| slip.clone().filter(|slip| slip.explained > most))
         .or_else(|| whole.map(|found| with_rest(evidence, &readings, &found)))
         .or(slip)
+        .or(near)
         .or(seen)
         .or(likely)
         .or(parts)

@@ -9,6 +9,7 @@ mod panics;
 mod regimes;
 mod several;
 mod students;
+mod undone;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;

@@ -273,11 +273,23 @@ impl<'a> Evidence<'a> {
         self.goes_as(|item| Some(item.golden().to_vec()))
     }
 
+    /// Whether any right answer tells more than yes or no: an empty list is empty by whatever method.
+    pub fn right_ones_tell(&self) -> bool {
+        let mut right = self.items[self.wrong..].iter();
+        right.any(|item| item.tells >= 1.0)
+    }
+
+    /// Whether any wrong answer is wrong by itself, and not beside the others only.
+    pub fn are_wrong_by_themselves(&self) -> bool {
+        let mut wrong = self.items[..self.wrong].iter();
+        wrong.any(|item| !self.is_right(item, &item.got))
+    }
+
     /// Whether most right answers are the same as these. Where some tell more than yes or no, only those count: an empty list is
     /// empty by whatever method.
     pub fn goes_as(&self, answer: impl Fn(&Item) -> Option<Vec<f64>>) -> bool {
         let right = || self.items[self.wrong..].iter();
-        let any_tells = right().any(|item| item.tells >= 1.0);
+        let any_tells = self.right_ones_tell();
         let counted = || right().filter(|item| !any_tells || item.tells >= 1.0);
         let is_same = |item: &&Item| {
             let answer = answer(item);

@@ -3,6 +3,7 @@
 mod known;
 mod numbers;
 mod orders;
+mod undone;
 
 use super::evidence::{Evidence, Scope};
 use super::function::FUNCTIONS;
@@ -11,6 +12,8 @@ use super::scalars::scalars;
 use crate::layout::{Leaf, each, layout};
 use raybook_workbook::kind::Kind;
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
+pub use undone::undone;
 
 /// What each item's answer would be, if it can be said.
 pub type Answers = Vec<Option<Vec<f64>>>;
@@ -59,17 +62,9 @@ struct Maker<'a, 'e> {
 /// The explanations by functions, fitted numbers and other orders of the same components; `thoroughly` with what depends on the
 /// question too.
 pub fn explanations(evidence: &Evidence<'_>, base: &Answers, thoroughly: bool) -> Vec<Explanation> {
-    let parts = match evidence.scope {
-        Scope::Whole => 0..evidence.parts.len(),
-        Scope::Part(part) => part..part + 1,
-        Scope::Shape => 0..0,
-    };
-    let single = evidence.parts.len() == 1;
     let mut all = Vec::new();
-    for part in parts {
-        let name = &evidence.parts[part].name;
-        let name = if single { "the answer" } else { name };
-        let mut maker = Maker::new(evidence, base, part, name);
+    for part in scoped(evidence) {
+        let mut maker = Maker::new(evidence, base, part, called(evidence, part));
         maker.pairs = pairs(evidence, base, part);
         if maker.pairs.is_empty() {
             continue;
@@ -95,6 +90,23 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers, thoroughly: bool) -
     all
 }
 
+/// The parts that are looked at.
+fn scoped(evidence: &Evidence<'_>) -> Range<usize> {
+    match evidence.scope {
+        Scope::Whole => 0..evidence.parts.len(),
+        Scope::Part(part) => part..part + 1,
+        Scope::Shape => 0..0,
+    }
+}
+
+/// How a part is called in sentences.
+fn called<'a>(evidence: &'a Evidence<'_>, part: usize) -> &'a str {
+    match evidence.parts.as_slice() {
+        [_] => "the answer",
+        parts => &parts[part].name,
+    }
+}
+
 /// The explanations by functions and other orders of the same components, whatever the answers are.
 pub fn functions(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     let mut all = Vec::new();
@@ -106,6 +118,9 @@ pub fn functions(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     }
     all
 }
+
+/// What leads on from a constant factor.
+const CONSTANT: &str = "Write down the formula with units: which constant factor is missing, is there twice, or stands on the wrong side of the fraction line?";
 
 /// Numbers by which answers are often too large, or 1 over them.
 const FACTORS: [f64; 5] = [2.0, 4.0, PI, TAU, 4.0 * PI];
@@ -120,9 +135,8 @@ pub fn factors(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
         }
         for factor in FACTORS.iter().flat_map(|factor| [*factor, 1.0 / factor]) {
             let name = format!("returns {} times {}", named(factor), of.name);
-            let hint = "Write down the formula with units: which constant factor is missing, is there twice, or stands on the wrong side of the fraction line?";
             let make = |_: usize, v: &mut [f64]| each(v, |v| *v *= factor);
-            maker.add(9, 0, name, hint, &make);
+            maker.add(9, 0, name, CONSTANT, &make);
         }
         all.append(&mut maker.all);
     }

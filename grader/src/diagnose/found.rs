@@ -11,7 +11,7 @@ const SOME: usize = 4;
 /// An explanation is nearly complete if it gives this many wrong answers for each one that is not as it says.
 const NEARLY: usize = 6;
 
-/// What is rarer than this is told only if it explains the answers to the last digits.
+/// What is rarer than this is told only if it explains nearly all wrong answers, and to the last digits.
 const RARE: u32 = 26;
 
 /// An explanation, and how well it agrees.
@@ -49,6 +49,12 @@ impl Found {
         NEARLY * (self.score.missed + self.score.contradicted) <= self.score.explained
     }
 
+    /// Whether it is one mistake that no right answer contradicts, and few of the wrong ones are not to the last digits as it says.
+    pub fn is_nearly_the_one(&self) -> bool {
+        let is_near = self.is_nearly_complete() && self.score.contradicted == 0;
+        self.is_complete() || is_near && self.then.is_none() && self.is_sharp()
+    }
+
     /// Whether most of what it explains is as it says to the last digits. Guesses are many: within a judge's tolerance, one or another
     /// fits by chance.
     fn is_sharp(&self) -> bool {
@@ -68,7 +74,7 @@ impl Found {
             tells,
             ..
         } = self.score;
-        if self.rank > RARE && !self.is_sharp() {
+        if self.rank > RARE && !(self.is_sharp() && NEARLY * missed <= explained) {
             return false;
         }
         if tells >= 1.0 {

@@ -14,6 +14,8 @@ pub struct Function {
     takes: Takes,
     /// The wrong number, made of the right one.
     pub of: fn(f64) -> f64,
+    /// The right number, made of the wrong one, if that can be said.
+    pub back: Option<fn(f64) -> f64>,
 }
 
 /// What a function is taken of.
@@ -46,21 +48,30 @@ impl Function {
 }
 
 macro_rules! functions {
-    ($($rank:literal $takes:ident $name:literal, $hint:literal: $of:expr;)+) => {
+    ($($rank:literal $takes:ident $name:literal, $hint:literal: $of:expr $(, back $back:expr)?;)+) => {
         /// All of them.
-        pub const FUNCTIONS: &[Function] = &[$(Function { name: $name, hint: $hint, rank: $rank, takes: Takes::$takes, of: $of }),+];
+        pub const FUNCTIONS: &[Function] = &[$(Function {
+            name: $name,
+            hint: $hint,
+            rank: $rank,
+            takes: Takes::$takes,
+            of: $of,
+            back: functions!(@back $($back)?),
+        }),+];
     };
+    (@back) => { None };
+    (@back $back:expr) => { Some($back) };
 }
 
 functions! {
-    9 Number "has the sign of the answer wrong", "Which sign should your answer have, and which sign does it have?": |v| -v;
-    11 Units "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees;
-    11 Units "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians;
-    10 Number "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v;
-    10 Number "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt();
-    10 Number "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v;
-    11 Number "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and what is its sign?": |v| -1.0 / v;
-    10 Number "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v;
+    9 Number "has the sign of the answer wrong", "Which sign should your answer have, and which sign does it have?": |v| -v, back |v| -v;
+    11 Units "returns degrees instead of radians", "In which unit is the angle that is asked for?": f64::to_degrees, back f64::to_radians;
+    11 Units "converts the answer from degrees to radians although it is in radians already", "In which unit is the angle that you have calculated?": f64::to_radians, back f64::to_degrees;
+    10 Number "returns the square of the answer: a missing root, or a square too many", "Check the unit of your answer: is a square root missing, or is something squared twice?": |v| v * v, back f64::sqrt;
+    10 Number "returns the square root of the answer: a root too many, or a missing square", "Check the unit of your answer: is there a root too many?": |v| v.max(0.0).sqrt(), back |v| v * v;
+    10 Number "returns the reciprocal, 1 over the answer", "Which way round is your fraction?": |v| 1.0 / v, back |v| 1.0 / v;
+    11 Number "returns the negative reciprocal, −1 over the answer", "Which way round is your fraction, and what is its sign?": |v| -1.0 / v, back |v| -1.0 / v;
+    10 Number "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v, back |v| 1.0 - v;
     11 Number "returns the absolute value of the answer", "May the answer be negative? What does its sign mean?": f64::abs;
     11 Number "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
     11 Number "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
@@ -83,14 +94,16 @@ functions! {
     13 Angle "returns the arc cosine of the answer", "Are you asked for the cosine or for the angle?": f64::acos;
     13 Angle "returns the arc sine of the answer", "Are you asked for the sine or for the angle?": f64::asin;
     13 Angle "returns sin where cos is due (or the other way round): √(1 − answer²)", "Which of sine and cosine is 1 at the angle 0?": |v| (1.0 - v * v).max(0.0).sqrt();
-    13 Angle "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v;
-    13 Angle "returns the supplement of the angle: π minus the answer", "Which of the two angles between two lines is asked for?": |v| PI - v;
+    15 Angle "returns cos √(1 − answer²), as if the sine were the angle", "Of which number is the cosine taken: of an angle, or of its sine?": |v| (1.0 - v * v).max(0.0).sqrt().cos();
+    15 Angle "returns sin √(1 − answer²), as if the cosine were the angle", "Of which number is the sine taken: of an angle, or of its cosine?": |v| (1.0 - v * v).max(0.0).sqrt().sin();
+    13 Angle "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v, back |v| FRAC_PI_2 - v;
+    13 Angle "returns the supplement of the angle: π minus the answer", "Which of the two angles between two lines is asked for?": |v| PI - v, back |v| PI - v;
     13 Angle "returns 2π minus the answer", "In which sense is the angle measured?": |v| TAU - v;
-    14 Angle "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI;
-    14 Angle "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI;
-    14 Number "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor();
-    14 Number "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0;
-    14 Number "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5;
+    14 Angle "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI, back |v| v - PI;
+    14 Angle "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI, back |v| v + PI;
+    14 Number "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor(), back |v| (v + 0.5) - (v + 0.5).floor();
+    14 Number "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0, back |v| 0.5 * v + 0.5;
+    14 Number "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5, back |v| 2.0 * v - 1.0;
     15 Number "cubes the answer", "Check the unit of your answer.": |v| v * v * v;
     15 Number "returns 1 over the square of the answer", "Check the unit of your answer.": |v| 1.0 / (v * v);
     15 Number "returns the exponential of the answer", "Is there an exponential too many, or a logarithm missing?": f64::exp;

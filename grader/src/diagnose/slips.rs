@@ -7,8 +7,8 @@ mod operands;
 use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
-use crate::explain::slip::{Change, Powers, Rounds, Slip};
-use crate::explain::way::{Decision, Loop, Operation, Step, Way};
+use crate::explain::slip::{Among, Change, Powers, Rounds, Slip};
+use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
 use std::borrow::Cow;
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
@@ -48,12 +48,18 @@ common! {
     0 10 "takes the value divided by 2π": Each |v| v / TAU;
     0 12 "takes π² times the value, as if it were multiplied by π instead of divided": Each |v| PI * PI * v;
     0 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
-    0 11 "takes the value plus 1": Each |v| v + 1.0;
-    0 11 "takes the value minus 1": Each |v| v - 1.0;
-    0 11 "takes the value plus ½": Each |v| v + 0.5;
-    0 11 "takes the value minus ½": Each |v| v - 0.5;
-    0 12 "takes the value plus 2": Each |v| v + 2.0;
-    0 12 "takes the value minus 2": Each |v| v - 2.0;
+    1 11 "takes the value plus 1": Each |v| v + 1.0;
+    1 11 "takes the value minus 1": Each |v| v - 1.0;
+    1 11 "takes the value plus ½": Each |v| v + 0.5;
+    1 11 "takes the value minus ½": Each |v| v - 0.5;
+    1 12 "takes the value plus 2": Each |v| v + 2.0;
+    1 12 "takes the value minus 2": Each |v| v - 2.0;
+    2 11 "takes the value plus 1": Each |v| v + 1.0;
+    2 11 "takes the value minus 1": Each |v| v - 1.0;
+    2 11 "takes the value plus ½": Each |v| v + 0.5;
+    2 11 "takes the value minus ½": Each |v| v - 0.5;
+    2 12 "takes the value plus 2": Each |v| v + 2.0;
+    2 12 "takes the value minus 2": Each |v| v - 2.0;
     0 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
     0 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
     2 10 "exchanges both numbers": Together |v| v.swap(0, 1);
@@ -80,12 +86,15 @@ common! {
     3 12 "takes x for all three": Together |v| v.fill(v[0]);
     3 12 "takes y for all three": Together |v| v.fill(v[1]);
     3 12 "takes z for all three": Together |v| v.fill(v[2]);
-    3 12 "takes y for x": Together |v| v[0] = v[1];
-    3 12 "takes z for x": Together |v| v[0] = v[2];
-    3 12 "takes x for y": Together |v| v[1] = v[0];
-    3 12 "takes z for y": Together |v| v[1] = v[2];
-    3 12 "takes x for z": Together |v| v[2] = v[0];
-    3 12 "takes y for z": Together |v| v[2] = v[1];
+    3 13 "takes twice x": Together |v| v[0] *= 2.0;
+    3 13 "takes twice y": Together |v| v[1] *= 2.0;
+    3 13 "takes twice z": Together |v| v[2] *= 2.0;
+    3 13 "takes y for x": Together |v| v[0] = v[1];
+    3 13 "takes z for x": Together |v| v[0] = v[2];
+    3 13 "takes x for y": Together |v| v[1] = v[0];
+    3 13 "takes z for y": Together |v| v[1] = v[2];
+    3 13 "takes x for z": Together |v| v[2] = v[0];
+    3 13 "takes y for z": Together |v| v[2] = v[1];
     3 12 "takes 0 for x": Together |v| v[0] = 0.0;
     3 12 "takes 0 for y": Together |v| v[1] = 0.0;
     3 12 "takes 0 for z": Together |v| v[2] = 0.0;
@@ -275,13 +284,16 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 // What has another unit or another number of components is seldom taken by mistake.
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
-                add(name, hint, rank, Slip::Other { at, of });
+                if rank <= rarest {
+                    add(name, hint, rank, Slip::Other { at, of });
+                }
             }
         }
     }
     let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
     let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
-    for (at, operation) in operands::operations(explainer, number, &questions, &named) {
+    let tells = evidence.is_judged() && evidence.tells_much();
+    for (at, operation) in operands::operations(explainer, number, &questions, &named, tells) {
         let (step, hint) = steps
             .iter()
             .find(|(step, _)| step.place == at)
@@ -304,8 +316,8 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     let mut all = Vec::new();
     for one in &passed.decisions {
         let (name, place) = (one.name, one.place);
-        let mut add = |name, rank, slip| all.push((name, CONDITION, rank, slip));
-        let mut turned = |name, of| add(name, 9, Slip::Decision(place, of));
+        let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
+        let mut turned = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
         turned(format!("never takes it into account when {name}"), |_| {
             false
         });
@@ -314,16 +326,22 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
             format!("decides the other way round whether {name}"),
             |holds| !holds,
         );
-        if one.compares {
+        if one.asks == Asks::Several {
+            for (rank, what, of) in AMONG {
+                let name = format!("{what} when it decides whether {name}");
+                add(name, EACH, *rank, Slip::Among(place, *of));
+            }
+        }
+        if one.asks == Asks::Compared {
             let tie = format!(
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
-            add(tie, 10, Slip::Tie(place));
+            add(tie, CONDITION, 10, Slip::Tie(place));
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
                     "takes a difference of less than {least} for none when it decides whether {name}"
                 );
-                add(near, rank, Slip::Near(place, least));
+                add(near, CONDITION, rank, Slip::Near(place, least));
             }
         }
     }
@@ -371,6 +389,25 @@ const POWERS: &[(u32, &str, Powers)] = &[
     ),
 ];
 
+/// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
+const AMONG: &[(u32, &str, Among)] = &[
+    (2, "lets the last alone count", |all| {
+        all.last() == Some(&true)
+    }),
+    (2, "lets the first alone count", |all| {
+        all.first() == Some(&true)
+    }),
+    (2, "leaves out the first", |all| {
+        all.iter().skip(1).any(|one| *one)
+    }),
+    (2, "leaves out the last", |all| {
+        all.iter().rev().skip(1).any(|one| *one)
+    }),
+    (2, "wants all, where one is enough,", |all| {
+        all.iter().all(|one| *one)
+    }),
+];
+
 /// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
 const ROUNDS: &[(u32, &str, Rounds)] = &[
     (9, "leaves out the last of", |all| {
@@ -407,6 +444,9 @@ const CONDITION: &str =
 
 /// What leads on from a power.
 const POWER: &str = "How does your language write a power, and what does it calculate first? Print the power by itself, with brackets round the exponent.";
+
+/// What leads on from several things that are asked.
+const EACH: &str = "Print for each of them in turn what your function finds: which of them are asked, and which of the findings is kept?";
 
 /// What leads on from what is forgotten.
 const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";

@@ -138,8 +138,9 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
             misread(evidence, reading, k)
         });
     }
-    // To a single wrong answer some slip comes near by chance.
-    if !evidence.is_judged() && !examiner.limits().slow && evidence.wrong > 1 {
+    // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
+    let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
+    if !evidence.is_judged() && !examiner.limits().slow && by_themselves {
         for slip in promising(evidence) {
             consider(SLIP, &slip.name, &slip.hint, &|k| {
                 slip.answer(&evidence.items[k].question)
@@ -164,7 +165,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         let given = (0..evidence.wrong).filter(gives).count();
         Some(given as f64 / evidence.wrong as f64)
     };
-    let given = if evidence.goes_the_same_way() {
+    let given = if evidence.right_ones_tell() && evidence.goes_the_same_way() {
         given().unwrap_or(1.0)
     } else {
         1.0

@@ -36,7 +36,8 @@ fn radiance(
     let n = way.part("N", n);
     let v = way.part("V", v);
     let l = way.part("L", l);
-    let lambert = way.number("L·N", "", l.dot(n));
+    let products = way.part("the products that L·N adds up", l * n);
+    let lambert = way.number("L·N", "", products.element_sum());
     if way.decides("the light is not above the surface", lambert <= 0.0) {
         way.remark("The light is not above the surface.");
         return Rgb::BLACK;
@@ -63,7 +64,8 @@ fn by_the_view(asked: &PhongExercise, way: &mut Way) -> Rgb {
         let cosine = way.part("N·V", n.dot(v));
         let along = way.part("2 (N·V) N", 2.0 * cosine * n);
         let r = way.part("2 (N·V) N − V", along - v);
-        way.part("the same · L", r.dot(l))
+        let products = way.part("the products that the same · L adds up", r * l);
+        way.part("the same · L", products.element_sum())
     })
 }
 
@@ -72,7 +74,8 @@ impl Explained for PhongExercise {
         radiance(way, &self.at, |way, [n, v, l], lambert| {
             let along = way.part("2 (L·N) N", 2.0 * lambert * n);
             let r = way.vector("R = 2 (L·N) N − L", "", along - l);
-            way.number("R·V", "", r.dot(v))
+            let products = way.part("the products that R·V adds up", r * v);
+            way.number("R·V", "", products.element_sum())
         })
     }
 
@@ -93,7 +96,8 @@ impl Explained for BlinnPhongExercise {
         radiance(way, &self.at, |way, [n, v, l], _| {
             let sum = way.part("L + V", l + v);
             let half = way.vector("H = (L + V)/|L + V|", "", sum.normalize_or_zero());
-            way.number("N·H", "", n.dot(half))
+            let products = way.part("the products that N·H adds up", n * half);
+            way.number("N·H", "", products.element_sum())
         })
     }
 
@@ -139,25 +143,42 @@ fn fan(at: &Highlight, (name, other): (&str, DVec3), what: &str) -> Diagram {
     drawing
 }
 
+/// What arrives, where `square` makes d² of r and d.
+fn arriving(
+    asked: &PointLightExercise,
+    way: &mut Way,
+    square: fn(&mut Way, DVec3, f64) -> f64,
+) -> Option<Arriving> {
+    let position = way.part("position", asked.position.as_dvec3());
+    let at = way.part("at", asked.at.as_dvec3());
+    let r = way.vector("r = position − at", "m", position - at);
+    let long = way.part("r, whose length is d", r);
+    let distance = way.number("d = |r|", "m", long.length());
+    if way.is_zero("the point is the light itself", distance) {
+        way.remark("This is the light itself.");
+        return None;
+    }
+    let toward = way.vector("r/d", "", r / distance);
+    let square = square(way, r, distance);
+    let intensity = way.part("I", parts(asked.intensity));
+    let arriving = way.vector("I/d²", "W/m²", intensity / square);
+    let distance = way.part("d, returned", distance);
+    Some(Arriving {
+        toward: toward.as_vec3(),
+        distance: distance as f32,
+        arriving: colour(arriving),
+    })
+}
+
 impl Explained for PointLightExercise {
-    fn work(&self, way: &mut Way) -> Option<Arriving> {
-        let position = way.part("position", self.position.as_dvec3());
-        let at = way.part("at", self.at.as_dvec3());
-        let r = way.vector("r = position − at", "m", position - at);
-        let distance = way.number("d = |r|", "m", r.length());
-        if way.decides("the point is the light itself", distance == 0.0) {
-            way.remark("This is the light itself.");
-            return None;
-        }
-        let toward = way.vector("r/d", "", r / distance);
-        let square = way.part("d²", distance * distance);
-        let intensity = way.part("I", parts(self.intensity));
-        let arriving = way.vector("I/d²", "W/m²", intensity / square);
-        let distance = way.part("d, returned", distance);
-        Some(Arriving {
-            toward: toward.as_vec3(),
-            distance: distance as f32,
-            arriving: colour(arriving),
+    const WAYS: &'static [fn(&Self, &mut Way) -> Option<Arriving>] = &[Self::work, |asked, way| {
+        arriving(asked, way, |way, r, _| {
+            let squares = way.part("the squares that r·r adds up", r * r);
+            way.part("r·r", squares.element_sum())
         })
+    }];
+
+    fn work(&self, way: &mut Way) -> Option<Arriving> {
+        arriving(self, way, |way, _, d| way.part("d²", d * d))
     }
 }

@@ -13,7 +13,8 @@ impl Explained for Reflect {
         let (i, n) = (self.incoming.as_dvec3(), self.normal.as_dvec3());
         let i = way.part("i", i);
         let n = way.part("n", n);
-        let cosine = way.number("i·n", "", i.dot(n));
+        let products = way.part("the products that i·n adds up", i * n);
+        let cosine = way.number("i·n", "", products.element_sum());
         let twice = way.part("2 (i·n)", 2.0 * cosine);
         let along = way.part("n, behind 2 (i·n)", n);
         let part = way.vector("2 (i·n) n: twice the part of i along n", "", twice * along);

@@ -13,7 +13,8 @@ fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let normal = way.part("the normal", asked.normal.as_dvec3());
     let outside = way.part("outside", f64::from(asked.outside));
     let inside = way.part("inside", f64::from(asked.inside));
-    let cosine = way.part("i·normal", i.dot(normal));
+    let products = way.part("the products that i·normal adds up", i * normal);
+    let cosine = way.part("i·normal", products.element_sum());
     let leaves = cosine >= 0.0;
     let cos1 = way.part("−i·normal", -cosine);
     let is_below = way.decides("cos θ₁ would be negative", leaves);
@@ -64,7 +65,8 @@ fn by_angles(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let eta = way.part("n₁/n₂", eta);
     let across = way.part("(i·n) n, the part across the surface", i.dot(n) * n);
     let along = way.part("the part along the surface", i - across);
-    let sin1 = way.part("sin θ₁, its length", along.length());
+    let long = way.part("the part along the surface, whose length is sin θ₁", along);
+    let sin1 = way.part("sin θ₁, its length", long.length());
     let sin2 = way.part("sin θ₂ = n₁/n₂ sin θ₁", eta * sin1);
     if way.decides("sin θ₂ is greater than 1", sin2 > 1.0) {
         return None;
@@ -85,7 +87,8 @@ impl Explained for Refract {
         let (i, normal) = (self.direction.as_dvec3(), self.normal.as_dvec3());
         let i = way.part("i", i);
         let normal = way.part("the normal", normal);
-        let cosine = way.number("i·normal", "", i.dot(normal));
+        let products = way.part("the products that i·normal adds up", i * normal);
+        let cosine = way.number("i·normal", "", products.element_sum());
         let outside = way.part("outside", f64::from(self.outside));
         let inside = way.part("inside", f64::from(self.inside));
         let (n, eta) = if way.decides("the ray comes from the outside", cosine < 0.0) {

@@ -21,7 +21,8 @@ impl Explained for ShadowRay {
         let position = steps.part("position", self.position.as_dvec3());
         let sum = steps.part("|n.x| + |n.y| + |n.z|", n.abs().element_sum());
         let off = steps.number("off = error · (|n.x| + |n.y| + |n.z|)", "m", error * sum);
-        let cosine = steps.number("n·toward", "", n.dot(toward));
+        let products = steps.part("the products that n·toward adds up", n * toward);
+        let cosine = steps.number("n·toward", "", products.element_sum());
         let is_behind = steps.decides("the light is on the other side of the normal", cosine < 0.0);
         let side = steps.part("the shift along n", if is_behind { -off } else { off });
         let shifted = position + side * n;
@@ -104,16 +105,14 @@ impl Explained for Lit {
         let shadow = shadow.work(way);
         let toward = Dir3::new_or(shadow.direction, self.toward);
         let ray = Ray::new(shadow.origin, toward);
-        let mut lit = true;
+        let mut hides = Vec::new();
         for (i, ball) in self.spheres.iter().enumerate() {
             let center: DVec3 = ball.center.as_dvec3();
             // Its own steps are those of `sphere_hit`.
             let meets = way.silently(|way| {
                 ch03_sphere::meets(way, &ray, shadow.within, center, ball.radius.into())
             });
-            if way.decides("a sphere is in the way", meets.is_some()) {
-                lit = false;
-            }
+            hides.push(meets.is_some());
             match meets {
                 Some(t) => {
                     way.number(format!("sphere {i} is in the way, at t ="), "m", t);
@@ -121,7 +120,7 @@ impl Explained for Lit {
                 None => way.remark(format!("Sphere {i} is not in the way.")),
             }
         }
-        let lit = way.decides("nothing is in the way", lit);
+        let lit = !way.any("a sphere is in the way", &hides);
         way.number("lit", "", f64::from(u8::from(lit)));
         lit.into()
     }

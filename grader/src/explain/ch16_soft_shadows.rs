@@ -42,15 +42,19 @@ impl Explained for SampleRect {
         way.remark("The first sample; the others go the same way:");
         let samples = way.of_first(lattice(self.n), |way, u| {
             let u = way.pair("u", "", u);
-            let along_a = way.part("u.x·a", u.x * a);
-            let along_b = way.part("u.y·b", u.y * b);
+            let side_a = way.part("a, along which u.x goes", a);
+            let side_b = way.part("b, along which u.y goes", b);
+            let along_a = way.part("u.x·a", u.x * side_a);
+            let along_b = way.part("u.y·b", u.y * side_b);
             let r = corner + along_a + along_b - at;
             let r = way.vector("r = corner + u.x·a + u.y·b − at", "m", r);
-            let distance = way.part("|r|", r.length());
+            let long = way.part("r, whose length is |r|", r);
+            let distance = way.part("|r|", long.length());
+            let products = way.part("the products that r·normal adds up", r * normal);
             let cosine = way.number(
                 "the cosine at the light, −r·normal/|r|",
                 "",
-                -r.dot(normal) / distance,
+                -products.element_sum() / distance,
             );
             if way.decides("the light turns its back to the point", cosine <= 0.0) {
                 way.remark("It is not positive: the light turns its back to the point.");
@@ -102,6 +106,9 @@ impl Explained for SampleSphereLight {
             let sine = way.part("sin θ", (x * (2.0 - x)).max(0.0).sqrt());
             let phi = way.part("φ = 2π u.y", TAU * u.y);
             let (sin_phi, cos_phi) = phi.sin_cos();
+            let x_axis = way.part("the axis along which cos φ goes", x_axis);
+            let y_axis = way.part("the axis along which sin φ goes", y_axis);
+            let axis = way.part("the axis to the light", axis);
             let toward = sine * cos_phi * x_axis + sine * sin_phi * y_axis + cosine * axis;
             let toward = way.vector(
                 "the direction, θ from the axis and turned by 2π u.y around it",

@@ -19,8 +19,11 @@ impl Explained for BrdfPhong {
         let n = way.part("N", n);
         let v = way.part("V", v);
         let l = way.part("L", l);
-        let cosine = way.number("N·L, the light's height above the surface", "", n.dot(l));
-        let seen = way.number("N·V, the viewer's", "", n.dot(v));
+        let products = way.part("the products that N·L adds up", n * l);
+        let cosine = products.element_sum();
+        let cosine = way.number("N·L, the light's height above the surface", "", cosine);
+        let products = way.part("the products that N·V adds up", n * v);
+        let seen = way.number("N·V, the viewer's", "", products.element_sum());
         let unlit = way.decides("the light is not above the surface", cosine <= 0.0);
         let unseen = way.decides("the viewer is not above the surface", seen <= 0.0);
         if unlit || unseen {
@@ -31,7 +34,8 @@ impl Explained for BrdfPhong {
         let matte = way.vector("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
         let along = way.part("2 (N·L) N", 2.0 * cosine * n);
         let mirrored = way.vector("R = 2 (N·L) N − L", "", along - l);
-        let cos_alpha = way.number("cos α = R·V", "", mirrored.dot(v));
+        let products = way.part("the products that R·V adds up", mirrored * v);
+        let cos_alpha = way.number("cos α = R·V", "", products.element_sum());
         if way.decides("α is above 90°", cos_alpha <= 0.0) {
             way.remark("α is above 90°: there is no highlight.");
             return colour(matte);
@@ -40,7 +44,8 @@ impl Explained for BrdfPhong {
         let two = way.part("the 2 of n + 2", 2.0_f64);
         let more = way.part("n + 2", exponent + two);
         let scale = way.number("(n + 2)/2π", "1/sr", more / TAU);
-        let lobe = way.number("cosⁿ α", "", cos_alpha.powf(exponent));
+        let power = way.part("n, the power of cos α", exponent);
+        let lobe = way.number("cosⁿ α", "", cos_alpha.powf(power));
         let specular = way.part("specular", parts(self.specular));
         let glossy = specular * scale * lobe;
         let glossy = way.vector("specular · (n + 2)/2π · cosⁿ α", "1/sr", glossy);
@@ -48,10 +53,15 @@ impl Explained for BrdfPhong {
     }
 }
 
+/// The axes around a normal, which is the last of them.
+fn axes(normal: Dir3) -> [DVec3; 3] {
+    let basis = Basis::around(normal);
+    [basis.x, basis.y, basis.z].map(|v| v.as_dvec3())
+}
+
 /// A direction around a normal, by its coordinates with the normal as z.
 fn around(normal: Dir3, x: f64, y: f64, z: f64) -> DVec3 {
-    let basis = Basis::around(normal);
-    let [bx, by, bz] = [basis.x, basis.y, basis.z].map(|v| v.as_dvec3());
+    let [bx, by, bz] = axes(normal);
     x * bx + y * by + z * bz
 }
 
@@ -67,12 +77,13 @@ impl Explained for CosineHemisphere {
             let p = way.pair("r (cos φ, sin φ), on the disc", "", r * dvec2(cos, sin));
             let squared = way.part("1 − u.x", (1.0 - u.x).max(0.0));
             let height = way.number("√(1 − u.x), the height above it: cos θ", "", squared.sqrt());
-            way.vector(
-                "the direction, around the normal",
-                "",
-                around(self.normal, p.x, p.y, height),
-            )
-            .as_vec3()
+            let [x, y, z] = axes(self.normal);
+            let x = way.part("the axis beside the normal along which cos φ goes", x);
+            let y = way.part("the axis beside the normal along which sin φ goes", y);
+            let z = way.part("the normal", z);
+            let toward = p.x * x + p.y * y + height * z;
+            way.vector("the direction, around the normal", "", toward)
+                .as_vec3()
         })
     }
 

@@ -36,7 +36,8 @@ fn pull_by_steps(way: &mut Way, p: Photon) -> DVec3 {
     let along = way.part("v, in x × v", p.v);
     let h = way.part("h = |x × v|", across.cross(along).length());
     let square = way.part("h²", h * h);
-    let r = way.part("|x|", p.x.length());
+    let long = way.part("x, whose length is |x|", p.x);
+    let r = way.part("|x|", long.length());
     let power = way.part("|x|⁵", r.powi(5));
     let factor = way.part("−3/2", -1.5);
     let toward = way.part("x, along which it pulls", p.x);

@@ -102,11 +102,11 @@ fn rotated(asked: &RotatedGrid, way: &mut Way, sense: f64) -> Vec<Vec2> {
         "",
         middle + spacing * turned(nearest),
     );
-    // The square's half diagonal, in spacings: beyond it no lattice point is in the square.
+    // The square's diagonal, in spacings: wherever its middle is taken to be, no lattice point beyond that is in it.
     let reach = way.number(
         "lattice steps to try on each side",
         "",
-        (0.5 * 2.0_f64.sqrt() / spacing).ceil() + 1.0,
+        (2.0_f64.sqrt() / spacing).ceil() + 1.0,
     ) as i32;
     let steps =
         (-reach..=reach).flat_map(|j| (-reach..=reach).map(move |i| dvec2(i.into(), j.into())));
@@ -254,7 +254,8 @@ impl Explained for PixelAverage {
             let weight = way.number("w, their product; 0 if one is negative", "", weight);
             let light = way.part("L", parts(seen.radiance));
             let weighted = way.vector("w L", "W·m⁻²·sr⁻¹", weight * light);
-            (sum, weights) = (sum + weighted, weights + weight);
+            let counted = way.part("w in Σ w", weight);
+            (sum, weights) = (sum + weighted, weights + counted);
         }
         let sum = way.vector("Σ w L", "W·m⁻²·sr⁻¹", sum);
         let weights = way.number("Σ w", "", weights);

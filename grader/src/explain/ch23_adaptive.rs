@@ -43,7 +43,8 @@ impl Explained for NeedsMore {
             of_mean.sqrt(),
         );
         let above = contrast.cmpgt(limit);
-        let by_contrast = way.decides("the contrast of a channel is above its limit", above.any());
+        let above: [bool; 3] = above.into();
+        let by_contrast = way.any("the contrast of a channel is above its limit", &above);
         let above = error > f64::from(self.error);
         let by_error = way.decides("the error is above its limit", above);
         way.remark(match (by_contrast, by_error) {
@@ -51,7 +52,8 @@ impl Explained for NeedsMore {
             (false, true) => "No contrast is above its limit, but the error is above its own.",
             (false, false) => "Neither a contrast nor the error is above its limit.",
         });
-        way.number("more", "", f64::from(u32::from(by_contrast || by_error))) as u32
+        let more = way.any("one of the two is", &[by_contrast, by_error]);
+        way.number("more", "", f64::from(u32::from(more))) as u32
     }
 }
 

@@ -58,6 +58,8 @@ pub enum Mixed {
     Added(f64),
     /// The value is a summand with this factor, and is multiplied by.
     Multiplied(f64),
+    /// The step to the power of the value.
+    Raised,
 }
 
 impl Mixed {
@@ -68,6 +70,7 @@ impl Mixed {
             Self::Plus(factor) => v + factor * other,
             Self::Added(power) => v * other.powf(-power) + power * other,
             Self::Multiplied(factor) => (v - factor * other) * other,
+            Self::Raised => v.powf(other),
         }
     }
 }
@@ -113,6 +116,9 @@ impl Comparison {
     }
 }
 
+/// What is made of what holds or does not, each by itself, where one that holds is enough.
+pub type Among = fn(&[bool]) -> bool;
+
 /// What is made of the rounds of a loop.
 pub type Rounds = fn(Range<usize>) -> Range<usize>;
 
@@ -148,6 +154,8 @@ pub enum Slip {
     Stale(Place),
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),
+    /// Of several things of which one is enough, others are asked, or more must hold.
+    Among(Place, Among),
     /// Two numbers that differ by less than this are taken for equal.
     Near(Place, f64),
     /// Equal numbers are compared by < for ≤, or the other way round.
@@ -169,6 +177,7 @@ impl Slip {
             | Self::Other { at, .. }
             | Self::Mix { at, .. }
             | Self::Decision(at, _)
+            | Self::Among(at, _)
             | Self::Near(at, _)
             | Self::Tie(at)
             | Self::Forgotten(at)

@@ -19,8 +19,19 @@ pub struct Decision {
     pub held: bool,
     /// Whether it did not at some time.
     pub failed: bool,
-    /// Whether it compares two numbers.
-    pub compares: bool,
+    /// What it asks.
+    pub asks: Asks,
+}
+
+/// What a decision asks.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Asks {
+    /// Whether something holds.
+    One,
+    /// Whether one number is less than another, or equal.
+    Compared,
+    /// Whether any of several things holds.
+    Several,
 }
 
 /// An operation on a value, which may be forgotten, or done wrongly.
@@ -197,6 +208,24 @@ impl Way {
         self.compares(name, v.abs(), 0.0, true)
     }
 
+    /// Whether any of several things holds.
+    #[track_caller]
+    pub fn any(&mut self, name: &'static str, each: &[bool]) -> bool {
+        let place = Place::here();
+        let slips = self.slips.iter().flatten();
+        let among = slips.filter_map(|slip| match slip {
+            Slip::Among(at, of) if *at == place => Some(of(each)),
+            _ => None,
+        });
+        let holds = each.contains(&true);
+        let holds = among.fold(holds, |_, holds| holds);
+        let at = self.decision(name, place);
+        if each.len() > 1 {
+            self.decisions[at].asks = Asks::Several;
+        }
+        self.settle(at, holds, None)
+    }
+
     #[track_caller]
     fn compares(&mut self, name: &'static str, one: f64, other: f64, equal_counts: bool) -> bool {
         let of = Comparison {
@@ -209,21 +238,35 @@ impl Way {
 
     #[track_caller]
     fn decide(&mut self, name: &'static str, holds: bool, of: Option<Comparison>) -> bool {
-        let place = Place::here();
+        let at = self.decision(name, Place::here());
+        self.settle(at, holds, of)
+    }
+
+    /// The number of the decision at a place, which is new when the way comes by it first.
+    fn decision(&mut self, name: &'static str, place: Place) -> usize {
         self.count();
         let at = self.decisions.iter().position(|one| one.place == place);
-        let at = at.unwrap_or_else(|| {
+        at.unwrap_or_else(|| {
             self.decisions.push(Decision {
                 name,
                 place,
                 held: false,
                 failed: false,
-                compares: of.is_some(),
+                asks: Asks::One,
             });
             self.decisions.len() - 1
-        });
-        self.decisions[at].held |= holds;
-        self.decisions[at].failed |= !holds;
+        })
+    }
+
+    /// What comes of a decision.
+    fn settle(&mut self, at: usize, holds: bool, of: Option<Comparison>) -> bool {
+        let decision = &mut self.decisions[at];
+        decision.held |= holds;
+        decision.failed |= !holds;
+        if of.is_some() {
+            decision.asks = Asks::Compared;
+        }
+        let place = decision.place;
         let slips = self.slips.iter().flatten();
         slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
     }
@@ -385,7 +428,9 @@ impl Way {
             }
             Slip::Mix { at, of, how, only } if at == place => {
                 let mut value = v.numbers();
-                let others = self.last(of, value.len()).into_iter().flatten();
+                let others = self.last(of, value.len());
+                self.looks_ahead |= others.is_none();
+                let others = others.into_iter().flatten();
                 for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
                     if only.is_none_or(|only| only == i) {
                         *v = how.of(*v, other);

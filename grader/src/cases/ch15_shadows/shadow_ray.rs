@@ -202,6 +202,29 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
+            name: "sends the ray from the light to the point",
+            hint: "Where is the surface that must not be found again: at the ray's beginning, or at its end?",
+            answer: |q| {
+                let right = ShadowRay::answer(q);
+                // The sun has no place to start from.
+                let start = q.position + q.distance * *q.toward;
+                Way {
+                    origin: if start.is_finite() {
+                        start
+                    } else {
+                        right.origin
+                    },
+                    direction: -right.direction,
+                    ..right
+                }
+            },
+        },
+        Mistake {
+            name: "shortens the way by a share as large as the error",
+            hint: "The error is in metres: is it multiplied by the distance, or taken from it?",
+            answer: |q| ending(q, q.distance * (1.0 - q.error)),
+        },
+        Mistake {
             name: "steps off along the ray instead of along the normal",
             hint: "A ray that grazes the surface stays close to it for long: in which direction is it soonest clear of it?",
             answer: |q| starting(q, q.position, q.error),

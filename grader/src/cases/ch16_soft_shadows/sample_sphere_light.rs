@@ -307,6 +307,11 @@ impl Graded for SampleSphereLight {
             answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 0.5 / TAU)),
         },
         Mistake {
+            name: "chooses among all directions, not only those to the light",
+            hint: "From outside, a ball fills only a cone: how large is the angle from its axis at most?",
+            answer: |q| cone(q, |u, _| (2.0 * u.x, TAU * u.y, 0.5 / TAU)),
+        },
+        Mistake {
             name: "makes the directions around +z, wherever the light is",
             hint: "The middle of all your directions points along one axis of the world: where is the light?",
             answer: |q| {

@@ -59,17 +59,18 @@ impl Graded for CosineHemisphere {
             }
         }
         let mean = |f: fn(&Vec3) -> f32| local.iter().map(f).sum::<f32>() / expected as f32;
+        // Round the normal first: who does not go evenly round has no right heights either, where the axes beside it are wrong.
         for (name, got, exact) in [
-            ("the mean of cos θ", mean(|d| d.z), 2.0 / 3.0),
-            ("the mean of cos²θ", mean(|d| d.z * d.z), 0.5),
             ("the mean to one side", mean(|d| d.x), 0.0),
             ("the mean to the other side", mean(|d| d.y), 0.0),
             (
-                "the mean of the squares to one side",
-                mean(|d| d.x * d.x),
-                0.25,
+                "the mean of (x² − y²)/2",
+                mean(|d| 0.5 * (d.x * d.x - d.y * d.y)),
+                0.0,
             ),
             ("the mean of xy", mean(|d| d.x * d.y), 0.0),
+            ("the mean of cos θ", mean(|d| d.z), 2.0 / 3.0),
+            ("the mean of cos²θ", mean(|d| d.z * d.z), 0.5),
         ] {
             if (got - exact).abs() > BOUND {
                 return Err(format!(
@@ -125,7 +126,7 @@ impl Graded for CosineHemisphere {
             hint: "Seen from above, are there as many directions to each side?",
         },
         Flaw {
-            complaint: "the mean of the squares",
+            complaint: "the mean of (x²",
             name: "does not go evenly round the normal",
             hint: "Seen from above, are there as many directions to each side? Are your axes of length 1, and perpendicular?",
         },

@@ -107,6 +107,8 @@ impl Graded for ConcentricDisk {
         }
         judge::scattered("points", got)?;
         let bound = BOUND * (ENOUGH as f32 / n as f32).sqrt().max(1.0);
+        // The radius first: with a wrong one no mean is right, however evenly the points go round.
+        evenly_outwards(got.iter(), bound)?;
         let mean = |f: fn(Vec2) -> f32| got.iter().map(|p| f(*p)).sum::<f32>() / n as f32;
         // Of a few points, the squares and the angles tell nothing.
         let all = if n < ENOUGH { 2 } else { 7 };
@@ -126,7 +128,7 @@ impl Graded for ConcentricDisk {
                 ));
             }
         }
-        evenly_outwards(got.iter(), bound)
+        Ok(())
     }
 
     /// Other places in the square have other images in the disc, and the errors of the lattices, which hide a wrong power of the

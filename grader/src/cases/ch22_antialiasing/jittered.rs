@@ -199,6 +199,28 @@ impl Graded for Jittered {
             },
         },
         Mistake {
+            name: "moves all points of a column by the same amount along x",
+            hint: "Do the points of one column of cells lie straight under each other? How many random numbers does each point need?",
+            answer: |q| {
+                let rng = &mut pcg::stream(23, q.seed.into());
+                let of_column: Vec<f32> = (0..q.columns).map(|_| rng.random()).collect();
+                cells(q, |cell, count, u| {
+                    (cell + vec2(of_column[cell.x as usize], u.y)) / count
+                })
+            },
+        },
+        Mistake {
+            name: "moves all points of a row by the same amount along y",
+            hint: "Do the points of one row of cells lie side by side at one height? How many random numbers does each point need?",
+            answer: |q| {
+                let rng = &mut pcg::stream(23, q.seed.into());
+                let of_row: Vec<f32> = (0..q.rows).map(|_| rng.random()).collect();
+                cells(q, |cell, count, u| {
+                    (cell + vec2(u.x, of_row[cell.y as usize])) / count
+                })
+            },
+        },
+        Mistake {
             name: "uses one number for both coordinates",
             hint: "Look at your points in their cells: are all of them on a diagonal?",
             answer: |q| cells(q, |cell, count, u| (cell + u.x) / count),

@@ -100,6 +100,15 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
+            name: "takes the tent of |x| + |y| in the place of the product of two",
+            hint: "Halfway to the edge along both x and y, how large is each of the two factors, and how large is w?",
+            answer: |q| {
+                average(q, |s| {
+                    (1.0 - s.offset.abs().element_sum() / q.radius).max(0.0)
+                })
+            },
+        },
+        Mistake {
             name: "makes a cone instead of a tent",
             hint: "The tent's edges are straight: what is its weight at a corner of its square, and half way to the corner?",
             answer: |q| average(q, |s| (1.0 - s.offset.length() / q.radius).max(0.0)),

@@ -156,7 +156,7 @@ impl Evidence<'_> {
     }
 
     /// Whether an answer, as far as it is looked at, would be judged right.
-    fn is_right(&self, item: &Item, prediction: &[f64]) -> bool {
+    pub fn is_right(&self, item: &Item, prediction: &[f64]) -> bool {
         if self.scope == Scope::Shape {
             return self.same_shape(item.golden(), prediction);
         }

@@ -5,6 +5,19 @@ use crate::diagnose::function::FUNCTIONS;
 use crate::diagnose::number::named;
 use crate::layout::{each, layout};
 use std::collections::HashMap;
+use std::ops::Range;
+
+/// What leads on from components in another order.
+pub(super) const ALONG_AN_AXIS: &str = "Take a case that lies along one axis only: along which axis, and to which side, does your answer point?";
+
+/// The sign of a component, of signs as bits.
+pub(super) fn sign(signs: u32, component: usize) -> f64 {
+    if signs >> component & 1 == 1 {
+        -1.0
+    } else {
+        1.0
+    }
+}
 
 impl Maker<'_, '_> {
     /// The right components in an order that is not the same in all cases, as of roots that are not sorted.
@@ -42,8 +55,57 @@ impl Maker<'_, '_> {
         );
     }
 
+    /// The signs that components may have wrong, as bits: only those of vectors have any.
+    pub(super) fn signs(&self) -> Range<u32> {
+        let n = self.axes().len();
+        0..if self.is_vector() { 1 << n } else { 1 }
+    }
+
+    /// What an order of components with these signs is called, and its rank; none of the right one.
+    pub(super) fn order_called(&self, order: &[usize], signs: u32) -> Option<(String, u32)> {
+        let (axes, n) = (self.axes(), order.len());
+        let moved: Vec<_> = (0..n).filter(|k| order[*k] != *k).collect();
+        let turned: Vec<_> = (0..n).filter(|k| sign(signs, *k) < 0.0).collect();
+        let components = |which: &[usize]| {
+            let all: Vec<_> = which.iter().map(|k| axes[*k]).collect();
+            all.join(" and ")
+        };
+        let name = match (moved.len(), turned.len()) {
+            (0, 0) => return None,
+            (0, t) if t == n => format!(
+                "returns {} with the opposite sign, the other way round",
+                self.of
+            ),
+            (0, _) => format!(
+                "has the sign of {} of {} wrong",
+                components(&turned),
+                self.of
+            ),
+            (1, 0) => format!(
+                "returns {} of {} for {} too",
+                axes[order[moved[0]]],
+                self.of,
+                components(&moved)
+            ),
+            (2, 0) if order[moved[0]] == moved[1] => {
+                format!("exchanges {} of {}", components(&moved), self.of)
+            }
+            _ => {
+                let minus = |k: usize| if sign(signs, k) < 0.0 { "−" } else { "" };
+                let words = (0..n).map(|k| format!("{}{}", minus(k), axes[order[k]]));
+                let words: Vec<_> = words.collect();
+                format!(
+                    "returns ({}) for ({}) of {}",
+                    words.join(", "),
+                    axes.join(", "),
+                    self.of
+                )
+            }
+        };
+        Some((name, 10 + (moved.len() + turned.len()) as u32))
+    }
+
     /// The same components in another order, or with other signs.
-    #[allow(clippy::too_many_lines)] // a list of ways
     pub(super) fn orders(&mut self) {
         let axes = self.axes();
         let n = axes.len();
@@ -68,64 +130,18 @@ impl Maker<'_, '_> {
             ],
             _ => return,
         };
-        let signs = if self.is_vector() { 1 << n } else { 1 };
         for order in orders {
-            for bits in 0..signs {
-                if order.iter().enumerate().all(|(i, from)| i == *from) && bits == 0 {
+            for signs in self.signs() {
+                let Some((name, rank)) = self.order_called(order, signs) else {
                     continue;
-                }
-                let sign = |k: usize| if bits >> k & 1 == 1 { -1.0 } else { 1.0 };
+                };
                 let make = |_: usize, v: &mut [f64]| {
                     let old = v.to_vec();
                     for (k, from) in order.iter().enumerate() {
-                        v[k] = sign(k) * old[*from];
+                        v[k] = sign(signs, k) * old[*from];
                     }
                 };
-                let moved: Vec<_> = (0..n).filter(|k| order[*k] != *k).collect();
-                let turned: Vec<_> = (0..n).filter(|k| sign(*k) < 0.0).collect();
-                let components = |which: &[usize]| {
-                    let all: Vec<_> = which.iter().map(|k| axes[*k]).collect();
-                    all.join(" and ")
-                };
-                let name = match (moved.len(), turned.len()) {
-                    (0, t) if t == n => format!(
-                        "returns {} with the opposite sign, the other way round",
-                        self.of
-                    ),
-                    (0, _) => format!(
-                        "has the sign of {} of {} wrong",
-                        components(&turned),
-                        self.of
-                    ),
-                    (1, 0) => format!(
-                        "returns {} of {} for {} too",
-                        axes[order[moved[0]]],
-                        self.of,
-                        components(&moved)
-                    ),
-                    (2, 0) if order[moved[0]] == moved[1] => {
-                        format!("exchanges {} of {}", components(&moved), self.of)
-                    }
-                    _ => {
-                        let words: Vec<_> = (0..n)
-                            .map(|k| {
-                                format!(
-                                    "{}{}",
-                                    if sign(k) < 0.0 { "−" } else { "" },
-                                    axes[order[k]]
-                                )
-                            })
-                            .collect();
-                        format!(
-                            "returns ({}) for ({}) of {}",
-                            words.join(", "),
-                            axes.join(", "),
-                            self.of
-                        )
-                    }
-                };
-                let rank = 10 + (moved.len() + turned.len()) as u32;
-                self.try_one(rank, 0, name, "Take a case that lies along one axis only: along which axis, and to which side, does your answer point?", &make);
+                self.try_one(rank, 0, name, ALONG_AN_AXIS, &make);
             }
         }
         self.reordered();

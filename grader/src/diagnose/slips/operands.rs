@@ -33,12 +33,14 @@ const QUESTIONS: usize = 6;
 const MOVED: f64 = 0.25;
 
 /// The slips with the values that go into each of the steps by an operation of its own. Of two values the one that goes into fewer
-/// steps comes first: it is nearer to the step, and what goes into it is in the step through it.
+/// steps comes first: it is nearer to the step, and what goes into it is in the step through it. Where the answers tell much, also those
+/// with values that do not belong into a step which is made of others.
 pub fn operations(
     explainer: &Explainer,
     way: usize,
     questions: &[&[f64]],
     steps: &[&Step],
+    tells: bool,
 ) -> Vec<(Place, Operation)> {
     let stride = questions.len().div_ceil(QUESTIONS).max(1);
     let questions: Vec<_> = questions.iter().step_by(stride).collect();
@@ -49,7 +51,7 @@ pub fn operations(
         })
     };
     let plain: Vec<_> = questions.iter().map(|q| walk(q, Way::default())).collect();
-    let mut all = Vec::new();
+    let (mut all, mut made) = (Vec::new(), Vec::new());
     for of in steps {
         let changed = |change| -> Vec<_> {
             let slip = Slip::Value(of.place, Change::Each(change));
@@ -61,7 +63,10 @@ pub fn operations(
         for at in steps.iter().filter(|at| at.place != of.place) {
             let values = |walks| values(walks, at.place);
             let (base, doubled, moved) = (values(&plain), values(&doubled), values(&moved));
-            touched += usize::from(base != doubled || base != moved);
+            if base != doubled || base != moved {
+                touched += 1;
+                made.push(at.place);
+            }
             if ![1, at.value.len()].contains(&of.value.len()) {
                 continue;
             }
@@ -101,7 +106,52 @@ pub fn operations(
     };
     let all: Vec<_> = all.iter().flat_map(goes_in).collect();
     operations.extend(brackets(&all));
+    for at in steps.iter().filter(|at| tells && made.contains(&at.place)) {
+        let others = steps.iter().filter(|of| of.place != at.place);
+        let slips = others.flat_map(|of| too_many(at, of));
+        operations.extend(slips.map(|slip| (at.place, slip)));
+    }
     operations
+}
+
+/// What is done at a step with the value of another that does not belong into it.
+fn too_many(at: &Step, of: &Step) -> Vec<Operation> {
+    /// The rank of these slips.
+    const SELDOM: u32 = 13;
+    let name = super::short(of);
+    let is_alike = of.unit == at.unit && of.value.len() == at.value.len();
+    let is_pure = of.unit.is_empty() && of.value.len() == 1;
+    let fits = [1, at.value.len()].contains(&of.value.len());
+    let times = |power| Mixed::Times { power, by: 1.0 };
+    let all = [
+        (fits, format!("multiplies by “{name}” too"), times(1.0)),
+        (fits, format!("divides by “{name}” too"), times(-1.0)),
+        (is_alike, format!("adds “{name}” too"), Mixed::Plus(1.0)),
+        (
+            is_alike,
+            format!("subtracts “{name}” too"),
+            Mixed::Plus(-1.0),
+        ),
+        (
+            is_pure,
+            format!("raises to the power of “{name}” too"),
+            Mixed::Raised,
+        ),
+    ];
+    let slip = |(_, name, how)| Operation {
+        name,
+        rank: SELDOM,
+        slip: Slip::Mix {
+            at: at.place,
+            of: of.place,
+            how,
+            only: None,
+        },
+    };
+    all.into_iter()
+        .filter(|(fits, ..)| *fits)
+        .map(slip)
+        .collect()
 }
 
 /// What the numbers of a value are called, where there are several.

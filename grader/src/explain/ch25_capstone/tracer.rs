@@ -111,12 +111,13 @@ impl Tracer<'_> {
             let hides = |t: f64| t < distance * (1.0 - 1e-4);
             let objects = self.scene.objects.iter();
             let between = objects.map(|o| meets(&o.form, line).is_some_and(hides));
-            let hidden = between.into_iter().position(|hidden| hidden);
+            let between: Vec<_> = between.collect();
+            let hidden = between.iter().position(|hidden| *hidden);
             self.parts.push(Part {
                 ends: [p, lamp.position.as_dvec3()],
                 is_to_lamp: true,
             });
-            if way.decides("a thing is in the way to the lamp", hidden.is_some()) {
+            if way.any("a thing is in the way to the lamp", &between) {
                 let object = hidden.unwrap_or_default();
                 way.remark(format!(
                     "Object {object} is in the way: the lamp throws no light here."

@@ -9,7 +9,7 @@ type Scale = (&'static str, fn(f64) -> f64);
 #[allow(clippy::too_many_lines)] // a list of ways
 pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f64) -> f64)) {
     let ignored = "Change `{}` alone: does your answer change as it should?";
-    let power = "Write down the formula with units: to which power does `{}` stand in it?";
+    let square = "Write down the formula with units: to which power does `{}` stand in it? If it is compared with something, are both sides squared, or neither?";
     let factor = "Write down the formula: by which number is `{}` multiplied or divided?";
     each(
         format!("has the sign of {name} wrong"),
@@ -44,13 +44,15 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
     each(
         format!("takes the square of {name} for {name}"),
         15,
-        power,
+        square,
         |v| v * v,
     );
     each(
-        format!("takes the square root of {name} for {name}"),
+        format!(
+            "takes the square root of {name} for {name}, as if {name} were compared with a square"
+        ),
         15,
-        power,
+        square,
         |v| v.max(0.0).sqrt(),
     );
     each(

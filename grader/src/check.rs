@@ -6,10 +6,10 @@ use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose, with_panics};
 use crate::examine::{Case, Examiner};
 use crate::pairing::put_right;
-use crate::picture::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
+use crate::picture::ask::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
+use crate::picture::triple::Triple;
 use crate::prints::short;
 use crate::related::ask_related;
-use crate::triple::Triple;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
 

@@ -5,7 +5,7 @@ use crate::check::{Outcome, Report, State, Verdict};
 use crate::diagnose::{Beside, Diagnosis};
 use crate::dress::Dress;
 use crate::examine::Examiner;
-use crate::pictured;
+use crate::picture::words;
 use crate::prints::{self, abbreviated, first_difference, short};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_workbook::curriculum;
@@ -18,7 +18,7 @@ pub fn line(report: &Report, dress: Dress) -> String {
         State::NotStarted => String::new(),
         State::WaitsFor(name) if report.right() == 0 => format!("for {name}"),
         State::WaitsFor(name) => format!("for {name}; {}", score(report)),
-        State::Right | State::Wrong => score(report) + pictured::but(report),
+        State::Right | State::Wrong => score(report) + words::but(report),
     };
     format!("{} {:<20} {counts}", dress.state(&state), report.exercise)
         .trim_end()
@@ -57,7 +57,7 @@ pub fn explain(
     dress: Dress,
 ) -> String {
     let Some((outcome, _)) = report.shown_wrong() else {
-        return pictured::alone(report, picture, dress);
+        return words::alone(report, picture, dress);
     };
     let shown = report.smallest.as_ref().unwrap_or(outcome);
     let mut lines: Vec<_> = already_right(report).into_iter().collect();
@@ -68,7 +68,7 @@ pub fn explain(
     }
     if let Some(path) = picture {
         lines.push(String::new());
-        lines.extend(pictured::wrong(report, path));
+        lines.extend(words::wrong(report, path));
     } else if let Some(why) = &report.stopped {
         lines.extend([String::new(), format!("  No picture: {why}.")]);
     }

@@ -20,7 +20,7 @@
 use crate::ask::Said;
 use crate::check::{Outcome, Report, State, Verdict};
 use crate::diagnose::{Beside, Diagnosis};
-use crate::triple::Triple;
+use crate::picture::triple::Triple;
 use raybook_chapters::kit::untrusted::is_hidden;
 use serde_json::{Value, json};
 use std::fmt::Write;

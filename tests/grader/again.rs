@@ -4,7 +4,7 @@ use raybook_grader::cases;
 use raybook_grader::check::{Report, State, Verdict, check_all};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, visible_rng};
-use raybook_grader::picture::Pixels;
+use raybook_grader::picture::ask::Pixels;
 use std::fs;
 use std::time::Duration;
 

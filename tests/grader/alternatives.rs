@@ -38,7 +38,7 @@ mod wrong;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
-use raybook_grader::picture::{pixel_questions, triples};
+use raybook_grader::picture::ask::{pixel_questions, triples};
 use rayon::prelude::*;
 use std::sync::LazyLock;
 use student::{Alternative, STYLES, line};

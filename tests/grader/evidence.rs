@@ -9,7 +9,7 @@ use raybook_grader::converse::Prints;
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::feedback::{self, Commands};
-use raybook_grader::picture::{pixel_questions, some_questions, triples};
+use raybook_grader::picture::ask::{pixel_questions, some_questions, triples};
 use rayon::prelude::*;
 use std::fs;
 use std::path::Path;

@@ -14,7 +14,7 @@ mod trace;
 
 pub use functions::Functions;
 
-use crate::asked_picture::{MISSING, passes, spread};
+use crate::picture::progressive::{MISSING, passes, spread};
 use glam::vec2;
 use raybook::image::Image;
 use std::io;

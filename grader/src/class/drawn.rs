@@ -1,8 +1,8 @@
 //! What is kept of the picture of a hand-in's answers: theirs, the right one and the difference, in one small PNG.
 
-use crate::asked_picture::MISSING;
 use crate::check::Report;
-use crate::triple::Triple;
+use crate::picture::progressive::MISSING;
+use crate::picture::triple::Triple;
 use base64::Engine;
 use base64::prelude::BASE64_STANDARD;
 use raybook::image::rgb::Rgb;
@@ -57,8 +57,8 @@ fn strip(picture: &Triple, step: usize) -> Image {
 mod tests {
     use super::{LARGEST, MISSING, first_wrong};
     use crate::check::Report;
-    use crate::score::Score;
-    use crate::triple::Triple;
+    use crate::picture::score::Score;
+    use crate::picture::triple::Triple;
     use base64::Engine;
     use base64::prelude::BASE64_STANDARD;
     use rand::RngExt;

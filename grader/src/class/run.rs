@@ -8,7 +8,7 @@ use super::record::{Marked, Record, Standing};
 use super::stage::{self, Stage, Staged, Trouble};
 use crate::check::check_each;
 use crate::examine::{Case, Examiner};
-use crate::picture::Pixels;
+use crate::picture::ask::Pixels;
 use raybook::store::StoreError;
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::{Mutex, MutexGuard, PoisonError};

@@ -17,7 +17,7 @@ use raybook_grader::check::{Outcome, Report, State, check_all};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
-use raybook_grader::picture::Pixels;
+use raybook_grader::picture::ask::Pixels;
 use raybook_grader::progress::Progress;
 use raybook_grader::{json, shrink};
 use rayon::prelude::*;

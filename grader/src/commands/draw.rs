@@ -2,7 +2,7 @@
 
 use super::{Done, chapter, draw_asked};
 use raybook_grader::recipe::Recipe;
-use raybook_grader::{drawn, student};
+use raybook_grader::{own_chapters, student};
 use std::ffi::OsString;
 use std::path::Path;
 use std::process::Command;
@@ -32,7 +32,7 @@ impl Draw {
             }
             return draw_asked::run(&workbook, chapter);
         }
-        let program = drawn::program(&workbook, chapter)?;
+        let program = own_chapters::program(&workbook, chapter)?;
         let status = Command::new(&program.file)
             .args(&self.options)
             .current_dir(&program.folder)

@@ -9,7 +9,7 @@ use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{self, State, check_all};
 use raybook_grader::examine::{Examiner, visible_rng};
-use raybook_grader::picture::Pixels;
+use raybook_grader::picture::ask::Pixels;
 use raybook_grader::progress::Progress;
 use raybook_grader::report::{Page, cost};
 use rayon::prelude::*;

@@ -10,9 +10,10 @@ use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::feedback::Commands;
 use raybook_grader::language::Language;
+use raybook_grader::picture::words;
 use raybook_grader::progress::{KEPT, Progress};
 use raybook_grader::starter::{place, reference_file};
-use raybook_grader::{cases, feedback, library, pictured, student};
+use raybook_grader::{cases, feedback, library, student};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::path::{Path, PathBuf};
 
@@ -104,7 +105,7 @@ impl Telling<'_> {
                 .find(|(of, _)| of.exercise == report.exercise)
                 .and_then(|(_, picture)| picture.as_ref());
             if let (Some(picture), State::Right) = (picture, report.state()) {
-                say(pictured::right(report, picture).join("\n"));
+                say(words::right(report, picture).join("\n"));
             }
         }
         let all_asked = of_chapter.len() == chapter.exercises().len();

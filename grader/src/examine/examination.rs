@@ -2,7 +2,7 @@
 
 use super::Examiner;
 use crate::diagnose::misread::Limits;
-use crate::triple::PictureSize;
+use crate::picture::triple::PictureSize;
 use crate::{Flaw, Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;

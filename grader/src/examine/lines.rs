@@ -2,7 +2,7 @@
 
 use super::{Examiner, visible_rng};
 use crate::finite::finite;
-use crate::triple::PictureSize;
+use crate::picture::triple::PictureSize;
 use crate::{Verdict, stable};
 use raybook_workbook::row::{self, RowError};
 

@@ -5,7 +5,7 @@ mod examination;
 mod lines;
 
 use crate::diagnose::misread::Limits;
-use crate::triple::PictureSize;
+use crate::picture::triple::PictureSize;
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;

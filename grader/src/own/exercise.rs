@@ -6,7 +6,7 @@ use super::judge::compare;
 use super::reference::Reference;
 use crate::diagnose::misread::Limits;
 use crate::examine::Examiner;
-use crate::triple::PictureSize;
+use crate::picture::triple::PictureSize;
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;

@@ -9,8 +9,9 @@ use crate::dress::Dress;
 use crate::examine::Examiner;
 use crate::explain::account::Account;
 use crate::explain::tell;
+use crate::picture::words;
 use crate::progress::Progress;
-use crate::{cases, feedback, json, pictured};
+use crate::{cases, feedback, json};
 use cost::Cost;
 use maud::{Markup, html};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -105,7 +106,7 @@ fn exercise(report: &Report) -> Markup {
         "{} of {} cases right{}",
         report.right(),
         report.cases.len(),
-        pictured::but(report)
+        words::but(report)
     );
     html! { article {
         h3 { code { (report.exercise) } ": " (word) }

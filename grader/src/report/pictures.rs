@@ -1,6 +1,6 @@
 //! Three pictures of the same pixels, or two if no difference is seen: side by side, or one at a time in the same place, where a difference jumps to the eye.
 
-use crate::triple::Triple;
+use crate::picture::triple::Triple;
 use maud::{Markup, html};
 use raybook::image::{Image, file};
 use raybook_chapters::kit::address;

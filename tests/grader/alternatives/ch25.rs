@@ -6,7 +6,7 @@ mod tracer;
 
 use crate::alternatives::student::{Alternative, Question, STYLES, line};
 use raybook_grader::cases;
-use raybook_grader::picture::{pixel_questions, triples};
+use raybook_grader::picture::ask::{pixel_questions, triples};
 use scene::Scene;
 use tracer::Tracer;
 

@@ -6,7 +6,7 @@ use raybook_grader::cases;
 use raybook_grader::check::{Report, Verdict, check};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, visible_rng};
-use raybook_grader::picture::pixel_questions;
+use raybook_grader::picture::ask::pixel_questions;
 use std::path::PathBuf;
 use std::thread;
 use std::time::Duration;

@@ -7,7 +7,7 @@ use raybook_grader::cases;
 use raybook_grader::check::check_all;
 use raybook_grader::converse::Program;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
-use raybook_grader::picture::Pixels;
+use raybook_grader::picture::ask::Pixels;
 use rayon::prelude::*;
 use std::fs;
 use std::path::PathBuf;

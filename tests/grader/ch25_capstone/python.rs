@@ -9,7 +9,7 @@ use raybook_grader::check::{State, check};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::visible_rng;
 use raybook_grader::hidden::Key;
-use raybook_grader::picture::ask_pixels;
+use raybook_grader::picture::ask::ask_pixels;
 use std::path::PathBuf;
 use std::process::Command;
 use std::time::Duration;

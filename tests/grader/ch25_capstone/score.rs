@@ -3,9 +3,9 @@
 use raybook::image::{Image, rgb::Rgb, rms::rms};
 use raybook_grader::cases;
 use raybook_grader::examine::{Examiner, RANDOM_CASES, visible_rng};
-use raybook_grader::picture::{pixel_questions, triples};
-use raybook_grader::score::{Score, table};
-use raybook_grader::triple::Triple;
+use raybook_grader::picture::ask::{pixel_questions, triples};
+use raybook_grader::picture::score::{Score, table};
+use raybook_grader::picture::triple::Triple;
 use raybook_workbook::exercises::ch25_capstone::Trace;
 use raybook_workbook::row::{Row, read};
 use rayon::prelude::*;

@@ -6,7 +6,7 @@ use raybook_grader::ask::Said;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
 use raybook_grader::json;
-use raybook_grader::picture::{pixel_questions, triples};
+use raybook_grader::picture::ask::{pixel_questions, triples};
 
 #[test]
 fn a_known_mistake() {

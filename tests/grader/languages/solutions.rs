@@ -10,7 +10,7 @@ use raybook_grader::converse::Limits;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::language::Language;
-use raybook_grader::picture::Pixels;
+use raybook_grader::picture::ask::Pixels;
 use raybook_grader::student;
 use std::fs;
 use std::path::{Path, PathBuf};

@@ -3,7 +3,7 @@
 use crate::starter::names;
 use raybook_grader::library::{place, reference};
 use raybook_grader::starter::{files, stub};
-use raybook_grader::{cases, drawn};
+use raybook_grader::{cases, own_chapters};
 use raybook_workbook::anchor::functions;
 
 #[test]
@@ -49,7 +49,7 @@ fn the_starter_holds_no_reference_no_cases_and_no_mistakes() {
             .replace(char::is_whitespace, "")
     };
     let files: Vec<_> = files(&stub)
-        .and_then(|of_starter| Ok([of_starter, drawn::files()?].concat()))
+        .and_then(|of_starter| Ok([of_starter, own_chapters::files()?].concat()))
         .expect("the library's anchors are right")
         .into_iter()
         .map(|(path, bytes)| (path, String::from_utf8_lossy(&bytes).into_owned()))

@@ -1,6 +1,6 @@
 //! The score of a picture made of answers: by rays, and by image.
 
-use crate::triple::Triple;
+use crate::picture::triple::Triple;
 
 /// A picture is passed with this share of its rays right: a speck here and there is forgiven …
 const RAYS: f32 = 0.99;

@@ -2,7 +2,7 @@
 
 use crate::ask::{Asker, Said};
 use crate::examine::Examiner;
-use crate::triple::PictureSize;
+use crate::picture::triple::PictureSize;
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use std::io;

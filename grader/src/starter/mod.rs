@@ -18,7 +18,7 @@ use std::path::{Path, PathBuf};
 use std::sync::OnceLock;
 
 /// The versions of all packages, those of the course among them: cargo leaves out what is not used.
-pub const LOCK: &str = include_str!("../../Cargo.lock");
+pub const LOCK: &str = include_str!("../../../Cargo.lock");
 
 /// Other ways to what an exercise asks, by their anchors: in the student's copy they call what the student writes.
 const OTHER_WAYS: &[(&str, &str)] = &[
@@ -63,7 +63,7 @@ pub enum StarterError {
 pub fn create(folder: &Path, language: Language) -> Result<(), StarterError> {
     let mut files = of(language)?;
     files.extend(lesson::files()?);
-    let tasks = include_bytes!("starter/tasks.json").to_vec();
+    let tasks = include_bytes!("tasks.json").to_vec();
     files.insert(0, (PathBuf::from(".vscode/tasks.json"), tasks));
     Ok(store::new_folder(folder, &files)?)
 }
@@ -175,17 +175,14 @@ pub fn files(
     files.extend(copies("workbook", library::workbook(), rewrite)?);
     let readme = format!(
         "{}\n## The course\n\n{}",
-        include_str!("starter/README.md"),
+        include_str!("README.md"),
         course_map()
     );
     for (path, text) in [
         ("Cargo.toml", manifest::root().as_str()),
         ("Cargo.lock", LOCK),
         ("workbook/Cargo.toml", manifest::workbook().as_str()),
-        (
-            "workbook/src/bin/answer.rs",
-            include_str!("starter/answer.rs.txt"),
-        ),
+        ("workbook/src/bin/answer.rs", include_str!("answer.rs.txt")),
         ("README.md", readme.as_str()),
         (".gitignore", "/target\n/out\n/.raybook\n"),
         (

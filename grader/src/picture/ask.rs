@@ -2,7 +2,7 @@
 
 use crate::ask::{Asker, Reply, Said};
 use crate::examine::{Case, Examiner};
-use crate::triple::{PictureSize, Triple, triple};
+use crate::picture::triple::{PictureSize, Triple, triple};
 use rand::RngExt;
 use raybook::math::pcg;
 use std::io;

@@ -29,8 +29,8 @@ pub struct Present {
 }
 
 /// The page, which asks for all else.
-const PAGE: &str = include_str!("present/page.html");
-const SCRIPT: &str = include_str!("present/page.js");
+const PAGE: &str = include_str!("page.html");
+const SCRIPT: &str = include_str!("page.js");
 
 impl Present {
     /// Serves the pages until the command is interrupted.

@@ -2,9 +2,9 @@
 
 use crate::check::Report;
 use crate::dress::Dress;
+use crate::picture::score;
+use crate::picture::triple::{BadPixel, Triple};
 use crate::prints::{abbreviated, first_difference, short};
-use crate::score;
-use crate::triple::{BadPixel, Triple};
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::path::Path;
 

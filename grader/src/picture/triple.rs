@@ -1,8 +1,8 @@
 //! The student's picture, the golden one, and the difference with its sign.
 
-use crate::asked_picture::MISSING;
 use crate::examine::Examiner;
-use crate::score::Score;
+use crate::picture::progressive::MISSING;
+use crate::picture::score::Score;
 use raybook::image::{Image, rgb::Rgb, rms::rms, tone::to_bytes};
 use raybook_chapters::kit::palette;
 use raybook_chapters::kit::untrusted::Untrusted;

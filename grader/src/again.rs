@@ -2,7 +2,7 @@
 //! that grows, does not. Two answers may differ, as long as both are right: any generator of random numbers will do.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Outcome, Report, State, Verdict, judge};
+use crate::check::{Mark, Outcome, Report, State, judge};
 use crate::examine::Examiner;
 use std::io;
 
@@ -36,8 +36,8 @@ pub fn ask_again(
         if matches!(reply.said, Said::Over(_)) {
             continue;
         }
-        if let Verdict::Wrong(why) = judge(examiner, &outcome.case, &reply.said) {
-            outcome.verdict = Verdict::Wrong(format!(
+        if let Mark::Wrong(why) = judge(examiner, &outcome.case, &reply.said) {
+            outcome.verdict = Mark::Wrong(format!(
                 "right at first, but when the same is asked again: {why}. {KEEPS}"
             ));
             outcome.reply = reply;
@@ -56,20 +56,20 @@ pub fn ask_alone(
     examiner: &dyn Examiner,
     outcome: &mut Outcome,
 ) -> io::Result<bool> {
-    let (Verdict::Wrong(why), Said::Answer(_)) = (&outcome.verdict, &outcome.reply.said) else {
+    let (Mark::Wrong(why), Said::Answer(_)) = (&outcome.verdict, &outcome.reply.said) else {
         return Ok(false);
     };
     let question = [format!("{} {}", examiner.name(), outcome.case.question)];
     let mut replies = Vec::new();
     asker.ask_apart(&question, &mut replies)?;
-    let is_right = |said: &Said| judge(examiner, &outcome.case, said) == Verdict::Right;
+    let is_right = |said: &Said| judge(examiner, &outcome.case, said) == Mark::Right;
     if !replies.iter().any(|reply| is_right(&reply.said)) {
         return Ok(false);
     }
     asker.ask_apart(&question, &mut replies)?;
     let is_same = replies.windows(2).all(|both| both[0].said == both[1].said);
     if is_same {
-        outcome.verdict = Verdict::Wrong(format!(
+        outcome.verdict = Mark::Wrong(format!(
             "{why}. In a program that is asked nothing else, this case is right. {KEEPS}"
         ));
     }

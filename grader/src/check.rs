@@ -36,7 +36,7 @@ pub struct Outcome {
     /// The case.
     pub case: Case,
     /// The verdict on the reply.
-    pub verdict: Verdict,
+    pub verdict: Mark,
     /// What the program said.
     pub reply: Reply,
 }
@@ -55,7 +55,7 @@ impl Outcome {
 
 /// The verdict on a reply.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub enum Verdict {
+pub enum Mark {
     /// Right.
     Right,
     /// The exercise, or one that it builds on, is not written yet.
@@ -83,7 +83,7 @@ impl Report {
         if self
             .cases
             .iter()
-            .any(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+            .any(|outcome| matches!(outcome.verdict, Mark::Wrong(_)))
         {
             return State::Wrong;
         }
@@ -91,7 +91,7 @@ impl Report {
             .cases
             .iter()
             .find_map(|outcome| match &outcome.reply.said {
-                Said::Todo(name) if outcome.verdict == Verdict::NotStarted => Some(name),
+                Said::Todo(name) if outcome.verdict == Mark::NotStarted => Some(name),
                 _ => None,
             });
         match todo {
@@ -113,7 +113,7 @@ impl Report {
     pub fn right(&self) -> usize {
         self.cases
             .iter()
-            .filter(|outcome| outcome.verdict == Verdict::Right)
+            .filter(|outcome| outcome.verdict == Mark::Right)
             .count()
     }
 
@@ -126,7 +126,7 @@ impl Report {
     pub fn shown_wrong(&self) -> Option<(&Outcome, &str)> {
         let outcome = &self.cases[self.place_shown()?];
         match &outcome.verdict {
-            Verdict::Wrong(why) => Some((outcome, why)),
+            Mark::Wrong(why) => Some((outcome, why)),
             _ => None,
         }
     }
@@ -135,7 +135,7 @@ impl Report {
     pub fn place_shown(&self) -> Option<usize> {
         let is_wrong = |place: &usize| {
             let outcome = self.cases.get(*place);
-            outcome.is_some_and(|outcome| matches!(outcome.verdict, Verdict::Wrong(_)))
+            outcome.is_some_and(|outcome| matches!(outcome.verdict, Mark::Wrong(_)))
         };
         let explained = self.diagnosis.as_ref().and_then(|found| found.shown);
         let first = || (0..self.cases.len()).find(is_wrong);
@@ -155,7 +155,7 @@ impl Report {
         self.cases
             .iter()
             .find_map(|outcome| match &outcome.verdict {
-                Verdict::Wrong(why) => Some((outcome, why.as_str())),
+                Mark::Wrong(why) => Some((outcome, why.as_str())),
                 _ => None,
             })
     }
@@ -177,7 +177,7 @@ pub fn check(
     let replies = asker.ask(&questions)?;
     let report = assess(examiner, cases, replies.clone());
     let doubtful = |(i, outcome): (usize, &Outcome)| {
-        (outcome.verdict != Verdict::Right && outcome.reply.said.is_line()).then_some(i)
+        (outcome.verdict != Mark::Right && outcome.reply.said.is_line()).then_some(i)
     };
     let doubtful: Vec<_> = report
         .cases
@@ -313,7 +313,7 @@ pub(crate) fn diagnose_outcomes(
     };
     let answers: Vec<_> = outcomes
         .iter()
-        .map(|outcome| (answer(outcome), outcome.verdict == Verdict::Right))
+        .map(|outcome| (answer(outcome), outcome.verdict == Mark::Right))
         .collect();
     let wrong = answers.iter().filter(|(_, right)| !right).count();
     with_panics(diagnose(examiner, &cases, &answers), outcomes, wrong)
@@ -323,20 +323,20 @@ pub(crate) fn diagnose_outcomes(
 fn count_what_is_to_do(exercise: &str, outcomes: &mut [Outcome]) {
     if outcomes
         .iter()
-        .any(|outcome| outcome.verdict == Verdict::Right)
+        .any(|outcome| outcome.verdict == Mark::Right)
     {
         for outcome in outcomes
             .iter_mut()
             .filter(|outcome| outcome.is_to_do(exercise))
         {
-            outcome.verdict = Verdict::Wrong("this case is still to do".to_owned());
+            outcome.verdict = Mark::Wrong("this case is still to do".to_owned());
         }
     }
 }
 
 /// Answers that are right one by one may be wrong together: then each of them comes from the same fault.
 fn judge_together(examiner: &dyn Examiner, outcomes: &mut [Outcome]) {
-    let right = |outcome: &Outcome| outcome.verdict == Verdict::Right;
+    let right = |outcome: &Outcome| outcome.verdict == Mark::Right;
     if !outcomes.iter().all(right) {
         return;
     }
@@ -348,22 +348,22 @@ fn judge_together(examiner: &dyn Examiner, outcomes: &mut [Outcome]) {
         });
     if let Err(why) = examiner.judge_together(answers) {
         for outcome in outcomes {
-            outcome.verdict = Verdict::Wrong(format!("in all answers together, {why}"));
+            outcome.verdict = Mark::Wrong(format!("in all answers together, {why}"));
         }
     }
 }
 
 /// The verdict on what a program said to a case.
-pub(crate) fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Verdict {
-    Verdict::Wrong(match said {
+pub(crate) fn judge(examiner: &dyn Examiner, case: &Case, said: &Said) -> Mark {
+    Mark::Wrong(match said {
         Said::Answer(answer) => {
             match examiner.judge(&case.question, &case.answers, answer.unescaped()) {
-                Ok(()) => return Verdict::Right,
+                Ok(()) => return Mark::Right,
                 // It may quote the answer's words.
                 Err(why) => short(&Untrusted::from(why)),
             }
         }
-        Said::Todo(_) => return Verdict::NotStarted,
+        Said::Todo(_) => return Mark::NotStarted,
         other => other.why_none().unwrap_or_default(),
     })
 }

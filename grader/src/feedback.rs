@@ -1,7 +1,7 @@
 //! What a check says to a student, in words.
 
 use crate::ask::Said;
-use crate::check::{Outcome, Report, State, Verdict};
+use crate::check::{Mark, Outcome, Report, State};
 use crate::diagnose::{Beside, Diagnosis};
 use crate::dress::Dress;
 use crate::examine::Examiner;
@@ -96,7 +96,7 @@ fn already_right(report: &Report) -> Option<String> {
     let right = report
         .cases
         .iter()
-        .filter(|outcome| outcome.verdict == Verdict::Right);
+        .filter(|outcome| outcome.verdict == Mark::Right);
     let named = right.filter(|outcome| !outcome.case.is_random());
     let names = named.map(|outcome| format!("\"{}\"", Untrusted::from(outcome.case.name.as_str())));
     let names: Vec<_> = names.take(NAMED).collect();
@@ -151,9 +151,9 @@ pub fn heading(report: &Report, outcome: &Outcome, dress: Dress) -> Vec<String> 
         Untrusted::from(outcome.case.name.as_str())
     );
     let verdict = match &outcome.verdict {
-        Verdict::Right => "  Right.".to_owned(),
-        Verdict::NotStarted => "  Not written yet.".to_owned(),
-        Verdict::Wrong(why) => {
+        Mark::Right => "  Right.".to_owned(),
+        Mark::NotStarted => "  Not written yet.".to_owned(),
+        Mark::Wrong(why) => {
             let why = capitalised(why) + outcome.reply.said.help();
             format!("  {}", ended(&why))
         }
@@ -305,7 +305,7 @@ fn unread_infinity(report: &Report) -> Option<String> {
         let mut words = outcome.case.question.split_whitespace();
         words.any(|word| word.trim_start_matches('-') == "inf")
     };
-    let wrong = |outcome: &&Outcome| matches!(outcome.verdict, Verdict::Wrong(_));
+    let wrong = |outcome: &&Outcome| matches!(outcome.verdict, Mark::Wrong(_));
     let both = report.cases.iter().filter(infinite).filter(wrong).count();
     let is_pattern = both > 1
         && both < report.cases.len()
@@ -331,7 +331,7 @@ fn kinds(report: &Report) -> Vec<String> {
             .cases
             .iter()
             .filter(|outcome| !outcome.case.is_random());
-        let of_kind = outcomes.filter(|outcome| (outcome.verdict == Verdict::Right) == right);
+        let of_kind = outcomes.filter(|outcome| (outcome.verdict == Mark::Right) == right);
         of_kind
             .map(|outcome| Untrusted::from(outcome.case.name.as_str()).to_string())
             .collect::<Vec<_>>()

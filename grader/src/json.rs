@@ -18,7 +18,7 @@
 //! Fields may be added within a version; none is removed or changes its meaning.
 
 use crate::ask::Said;
-use crate::check::{Outcome, Report, State, Verdict};
+use crate::check::{Mark, Outcome, Report, State};
 use crate::diagnose::{Beside, Diagnosis};
 use crate::picture::triple::Triple;
 use raybook_chapters::kit::untrusted::is_hidden;
@@ -121,9 +121,9 @@ fn score(picture: &Triple) -> Value {
 /// A case.
 pub fn case(outcome: &Outcome) -> Value {
     let (verdict, why) = match &outcome.verdict {
-        Verdict::Right => ("right", None),
-        Verdict::NotStarted => ("not started", None),
-        Verdict::Wrong(why) => ("wrong", Some(why)),
+        Mark::Right => ("right", None),
+        Mark::NotStarted => ("not started", None),
+        Mark::Wrong(why) => ("wrong", Some(why)),
     };
     let got = match &outcome.reply.said {
         Said::Answer(answer) => Some(answer.unescaped()),

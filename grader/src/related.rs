@@ -2,7 +2,7 @@
 //! over a thousand elements, in which a wrong cost shows.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Report, State, Verdict, diagnose_outcomes, judge};
+use crate::check::{Mark, Report, State, diagnose_outcomes, judge};
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::layout::{Leaf, layout, parts};
 use crate::shrink::domain::Domain;
@@ -156,12 +156,12 @@ pub fn ask_related(
             Said::TimedOut(_) | Said::NotAsked(_) => one.is_long,
             _ => false,
         };
-        if is_late || outcome.verdict != Verdict::Right {
+        if is_late || outcome.verdict != Mark::Right {
             continue;
         }
-        if let Verdict::Wrong(why) = judge(examiner, &one.case, &reply.said) {
+        if let Mark::Wrong(why) = judge(examiner, &one.case, &reply.said) {
             let Follower { before, after, .. } = one;
-            outcome.verdict = Verdict::Wrong(format!("{before}: {why}{after}"));
+            outcome.verdict = Mark::Wrong(format!("{before}: {why}{after}"));
             (outcome.case, outcome.reply) = (one.case, reply);
             if one.is_long {
                 report.diagnosis = diagnose_outcomes(examiner, &report.cases);

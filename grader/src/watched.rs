@@ -13,9 +13,9 @@ const DEEP: usize = 8;
 
 /// The files of a folder by their paths in it, each with its time and its length.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-pub struct Seen(BTreeMap<PathBuf, (Option<SystemTime>, u64)>);
+pub struct Snapshot(BTreeMap<PathBuf, (Option<SystemTime>, u64)>);
 
-impl Seen {
+impl Snapshot {
     /// The files as they are now, without hidden ones and without what is made of them. What cannot be read is not there.
     pub fn of(folder: &Path) -> Self {
         let mut seen = Self::default();
@@ -42,7 +42,7 @@ impl Seen {
 }
 
 /// The files that are new, gone or different.
-pub fn changed(before: &Seen, after: &Seen) -> Vec<PathBuf> {
+pub fn changed(before: &Snapshot, after: &Snapshot) -> Vec<PathBuf> {
     let all = before.0.keys().chain(after.0.keys());
     let mut files: Vec<_> = all
         .filter(|path| before.0.get(*path) != after.0.get(*path))

@@ -1,7 +1,7 @@
 //! The same question twice: who answers it once only is not right.
 
 use raybook_grader::cases;
-use raybook_grader::check::{Report, State, Verdict, check_all};
+use raybook_grader::check::{Mark, Report, State, check_all};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, visible_rng};
 use raybook_grader::picture::ask::Pixels;
@@ -58,7 +58,7 @@ fn what_is_wrong_at_first_is_not_asked_again() {
         .cases
         .iter()
         .filter_map(|outcome| match &outcome.verdict {
-            Verdict::Wrong(why) => Some(why.as_str()),
+            Mark::Wrong(why) => Some(why.as_str()),
             _ => None,
         });
     assert!(wrong.all(told));

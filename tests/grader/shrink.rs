@@ -2,7 +2,7 @@
 
 use raybook_grader::ask::{Reply, Said};
 use raybook_grader::cases;
-use raybook_grader::check::{Outcome, Verdict};
+use raybook_grader::check::{Mark, Outcome};
 use raybook_grader::converse::Prints;
 use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::shrink::smallest;
@@ -34,12 +34,12 @@ fn wrong(examiner: &dyn Examiner, i: usize) -> Option<Outcome> {
         };
         let judged = examiner.judge(&case.question, &case.answers, answer.unescaped());
         Outcome {
-            verdict: judged.map_or_else(Verdict::Wrong, |()| Verdict::Right),
+            verdict: judged.map_or_else(Mark::Wrong, |()| Mark::Right),
             case,
             reply,
         }
     });
-    outcomes.find(|outcome| outcome.verdict != Verdict::Right)
+    outcomes.find(|outcome| outcome.verdict != Mark::Right)
 }
 
 /// The smallest question that is as wrong, and how many were asked on the way.
@@ -84,7 +84,7 @@ fn a_wrong_question_is_made_smaller() {
             assert!(asked <= 200, "{name}: {asked} questions are asked");
             let Some(found) = found else { return false };
             assert_eq!(found.case.number, outcome.case.number, "{name}");
-            assert!(matches!(found.verdict, Verdict::Wrong(_)), "{name}");
+            assert!(matches!(found.verdict, Mark::Wrong(_)), "{name}");
             assert!(
                 digits(&found.case.question) < digits(&outcome.case.question),
                 "{name}: {}",

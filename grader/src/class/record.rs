@@ -3,7 +3,7 @@
 use super::drawn;
 use super::grades::Known;
 use crate::ask::Said;
-use crate::check::{Outcome, Report, State, Verdict};
+use crate::check::{Mark, Outcome, Report, State};
 use crate::examine::Examiner;
 use serde_json::{Map, Value, json};
 
@@ -101,7 +101,7 @@ impl Marked {
     /// The result of a report.
     pub fn of(report: &Report, examiner: &dyn Examiner) -> Self {
         let named = examiner.named().map_or(0, |named| named.len());
-        let is_right = |outcome: &&Outcome| outcome.verdict == Verdict::Right;
+        let is_right = |outcome: &&Outcome| outcome.verdict == Mark::Right;
         let visible = || {
             report
                 .cases
@@ -109,11 +109,11 @@ impl Marked {
                 .filter(|outcome| outcome.case.number <= named)
         };
         let first = visible().find_map(|outcome| match &outcome.verdict {
-            Verdict::Wrong(why) if outcome.ended() => {
+            Mark::Wrong(why) if outcome.ended() => {
                 let last_words = outcome.reply.printed.stderr.unescaped();
                 Some(format!("{}: {why}\n{last_words}", outcome.case.name))
             }
-            Verdict::Wrong(why) => Some(format!("{}: {why}", outcome.case.name)),
+            Mark::Wrong(why) => Some(format!("{}: {why}", outcome.case.name)),
             _ => None,
         });
         let state = report.state();
@@ -130,7 +130,7 @@ impl Marked {
         };
         let wrong = report.cases.iter().filter(|outcome| !is_right(outcome));
         let shown = visible().find_map(|outcome| match (&outcome.verdict, &outcome.reply.said) {
-            (Verdict::Wrong(_), Said::Answer(answer)) => {
+            (Mark::Wrong(_), Said::Answer(answer)) => {
                 Some([outcome.case.question.clone(), answer.unescaped().to_owned()])
             }
             _ => None,

@@ -9,7 +9,7 @@ use raybook::store::{self, StoreError};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::{State, Verdict, check};
+use raybook_grader::check::{Mark, State, check};
 use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::explain::account::Account;
 use raybook_grader::explain::asked::{Asked, Which, pixel};
@@ -87,7 +87,7 @@ impl Explain {
             }
         }
         unwritten.said()?;
-        Ok(account.outcome.verdict == Verdict::Right)
+        Ok(account.outcome.verdict == Mark::Right)
     }
 
     /// Writes the drawing, if there is one; returns its file.

@@ -2,7 +2,7 @@
 
 use super::account::Account;
 use crate::ask::Asker;
-use crate::check::{Outcome, Report, Verdict, check};
+use crate::check::{Mark, Outcome, Report, check};
 use crate::examine::{Case, Examiner, visible_rng};
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
@@ -63,7 +63,7 @@ impl Asked {
             }
         };
         let report = check(asker, examiner, cases)?;
-        let is_wrong = |outcome: &Outcome| matches!(outcome.verdict, Verdict::Wrong(_));
+        let is_wrong = |outcome: &Outcome| matches!(outcome.verdict, Mark::Wrong(_));
         let chosen = chosen.or_else(|| report.cases.iter().position(is_wrong));
         Ok(Self {
             examiner,

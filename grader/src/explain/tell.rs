@@ -3,7 +3,7 @@
 use super::account::{Account, Named};
 use super::parting::Parting;
 use super::way::{Step, words};
-use crate::check::Verdict;
+use crate::check::Mark;
 use crate::dress::Dress;
 use crate::feedback;
 use crate::prints::{abbreviated, printed, short};
@@ -25,12 +25,12 @@ pub fn lines(account: &Account<'_>, dress: Dress) -> Vec<String> {
     section("Your answer", named(&account.yours));
     section("The right answer", named(&account.right));
     let part = match outcome.verdict {
-        Verdict::Right => "Where they differ, which is right too",
+        Mark::Right => "Where they differ, which is right too",
         _ => "Where they part",
     };
     section(part, partings(&account.partings));
     section("The way to the right answer", steps(&account.steps));
-    if matches!(outcome.verdict, Verdict::Wrong(_)) {
+    if matches!(outcome.verdict, Mark::Wrong(_)) {
         section(
             "What explains it",
             feedback::diagnosis(account.report, dress),

@@ -4,7 +4,7 @@ pub mod cost;
 mod map;
 mod pictures;
 
-use crate::check::{Outcome, Report, State, Verdict};
+use crate::check::{Mark, Outcome, Report, State};
 use crate::dress::Dress;
 use crate::examine::Examiner;
 use crate::explain::account::Account;
@@ -123,7 +123,7 @@ fn exercise(report: &Report) -> Markup {
 /// What explains the wrong answers, and the first of them in full.
 fn wrong(report: &Report, outcome: &Outcome, examiner: &dyn Examiner) -> Markup {
     let account = Account::of(report, examiner, outcome);
-    let Verdict::Wrong(why) = &outcome.verdict else {
+    let Mark::Wrong(why) = &outcome.verdict else {
         return html! {};
     };
     html! {

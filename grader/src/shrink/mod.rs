@@ -9,7 +9,7 @@ mod simpler;
 
 use crate::ask::{Reply, Said};
 use crate::attempt::attempt;
-use crate::check::{Outcome, Verdict, judge};
+use crate::check::{Mark, Outcome, judge};
 use crate::diagnose::search::called;
 use crate::examine::{Case, Examiner};
 use domain::Domain;
@@ -170,7 +170,7 @@ impl<'a> Search<'a> {
                 ..self.smallest.case.clone()
             };
             let verdict = judge(self.examiner, &case, &reply.said);
-            let is_wrong = matches!(reply.said, Said::Answer(_)) && verdict != Verdict::Right;
+            let is_wrong = matches!(reply.said, Said::Answer(_)) && verdict != Mark::Right;
             if is_wrong && self.is_explained(&question, &reply.said) {
                 self.question = question;
                 self.smallest = Outcome {

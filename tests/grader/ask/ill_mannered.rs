@@ -3,7 +3,7 @@
 use crate::ask::{LIMITS, answer};
 use raybook_grader::ask::{Asker, Said};
 use raybook_grader::cases;
-use raybook_grader::check::{Report, Verdict, check};
+use raybook_grader::check::{Mark, Report, check};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, visible_rng};
 use raybook_grader::picture::ask::pixel_questions;
@@ -59,7 +59,7 @@ fn report(program: &Program, limits: Limits) -> Report {
 
 /// The numbers of the cases that are not right.
 fn wrong(report: &Report) -> Vec<usize> {
-    let wrong = |outcome: &&raybook_grader::check::Outcome| outcome.verdict != Verdict::Right;
+    let wrong = |outcome: &&raybook_grader::check::Outcome| outcome.verdict != Mark::Right;
     let wrong = report.cases.iter().filter(wrong);
     wrong.map(|outcome| outcome.case.number).collect()
 }
@@ -246,7 +246,7 @@ fn a_slip_costs_its_own_question((name, rule, must, may): &Manner, flushes: bool
     assert!(wrong.iter().all(|case| may.contains(case)), "{how}");
     for outcome in &report.cases {
         assert!(
-            outcome.verdict == Verdict::Right
+            outcome.verdict == Mark::Right
                 || !matches!(outcome.reply.said, Said::NotAsked(_) | Said::Over(_)),
             "{how}, and all are asked"
         );

@@ -1,6 +1,6 @@
 //! `results.json`, as Exercism reads it from a test runner (<https://exercism.org/docs/building/tooling/test-runners/interface>, version 3).
 
-use super::outcome::{Outcome, outcome, visible, why};
+use super::outcome::{Status, outcome, visible, why};
 use crate::class::grades::{ExerciseGrade, Grade};
 use crate::class::record::Standing;
 use raybook_workbook::curriculum;
@@ -33,8 +33,8 @@ fn test(grade: &Grade, exercise: &ExerciseGrade) -> Value {
         None | Some(Standing::NotBuilt | Standing::NotGraded)
     );
     let status = match outcome {
-        Outcome::Passed => "pass",
-        Outcome::Skipped | Outcome::Failed if ran => "fail",
+        Status::Passed => "pass",
+        Status::Skipped | Status::Failed if ran => "fail",
         _ => "error",
     };
     let mut test = Map::new();
@@ -45,7 +45,7 @@ fn test(grade: &Grade, exercise: &ExerciseGrade) -> Value {
         "test_code".to_owned(),
         json!(format!("raybook check {name}")),
     );
-    if outcome != Outcome::Passed {
+    if outcome != Status::Passed {
         let message = visible(&why(grade, exercise));
         test.insert("message".to_owned(), json!(message));
     }

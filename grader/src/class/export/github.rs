@@ -1,7 +1,7 @@
 //! Annotations for GitHub: commands that a workflow prints
 //! (<https://docs.github.com/en/actions/reference/workflows-and-actions/workflow-commands>), a line for each exercise that is not right.
 
-use super::outcome::{Outcome, outcome, visible, why};
+use super::outcome::{Status, outcome, visible, why};
 use crate::class::grades::{ExerciseGrade, Grade};
 use crate::class::stage::PLACE;
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -21,10 +21,10 @@ pub fn annotations(grade: &Grade) -> String {
 
 fn annotation(grade: &Grade, exercise: &ExerciseGrade) -> String {
     let level = match outcome(grade, exercise) {
-        Outcome::Passed => return String::new(),
-        Outcome::Skipped => "notice",
-        Outcome::Failed => "error",
-        Outcome::Error => "warning",
+        Status::Passed => return String::new(),
+        Status::Skipped => "notice",
+        Status::Failed => "error",
+        Status::Error => "warning",
     };
     let title = format!("{}: {}", grade.sheet.student, exercise.counted.name);
     let message = why(grade, exercise);

@@ -1,6 +1,6 @@
 //! JUnit's XML, as continuous integration reads it: a suite for each student, a case for each exercise.
 
-use super::outcome::{Outcome, outcome, why};
+use super::outcome::{Status, outcome, why};
 use crate::class::grades::{ExerciseGrade, Grade};
 use crate::class::roll::Class;
 use maud::{Markup, PreEscaped, html};
@@ -18,7 +18,7 @@ pub fn report(class: &Class<'_>) -> String {
 }
 
 fn suite(grade: &Grade) -> Markup {
-    let count = |of: Outcome| {
+    let count = |of: Status| {
         grade
             .exercises()
             .filter(|exercise| outcome(grade, exercise) == of)
@@ -26,7 +26,7 @@ fn suite(grade: &Grade) -> Markup {
     };
     html! {
         testsuite name=(Untrusted::from(grade.sheet.student.as_str())) tests=(grade.exercises().count())
-            failures=(count(Outcome::Failed)) errors=(count(Outcome::Error)) skipped=(count(Outcome::Skipped)) time="0" {
+            failures=(count(Status::Failed)) errors=(count(Status::Error)) skipped=(count(Status::Skipped)) time="0" {
             @for chapter in &grade.chapters { @for exercise in &chapter.exercises {
                 testcase classname=(chapter.name) name=(exercise.counted.name) time="0" { (told(grade, exercise)) }
             } }
@@ -37,9 +37,9 @@ fn suite(grade: &Grade) -> Markup {
 fn told(grade: &Grade, exercise: &ExerciseGrade) -> Markup {
     let why = Untrusted::from(why(grade, exercise));
     match outcome(grade, exercise) {
-        Outcome::Passed => html! {},
-        Outcome::Skipped => html! { skipped {} },
-        Outcome::Failed => html! { failure message=(why) {} },
-        Outcome::Error => html! { error message=(why) {} },
+        Status::Passed => html! {},
+        Status::Skipped => html! { skipped {} },
+        Status::Failed => html! { failure message=(why) {} },
+        Status::Error => html! { error message=(why) {} },
     }
 }

@@ -7,7 +7,7 @@ use raybook_chapters::kit::untrusted::Untrusted;
 
 /// How an exercise counts in a report.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Outcome {
+pub enum Status {
     /// It is right.
     Passed,
     /// It is not written yet.
@@ -19,13 +19,13 @@ pub enum Outcome {
 }
 
 /// The outcome of an exercise of a hand-in.
-pub fn outcome(grade: &Grade, exercise: &ExerciseGrade) -> Outcome {
+pub fn outcome(grade: &Grade, exercise: &ExerciseGrade) -> Status {
     match exercise.result.as_ref().map(|result| result.standing) {
-        Some(Standing::Right) => Outcome::Passed,
-        Some(Standing::NotStarted) => Outcome::Skipped,
-        Some(Standing::Wrong | Standing::NotBuilt) => Outcome::Failed,
-        None if grade.sheet.print.is_err() => Outcome::Failed,
-        Some(Standing::NotGraded) | None => Outcome::Error,
+        Some(Standing::Right) => Status::Passed,
+        Some(Standing::NotStarted) => Status::Skipped,
+        Some(Standing::Wrong | Standing::NotBuilt) => Status::Failed,
+        None if grade.sheet.print.is_err() => Status::Failed,
+        Some(Standing::NotGraded) | None => Status::Error,
     }
 }
 

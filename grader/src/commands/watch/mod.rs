@@ -15,7 +15,7 @@ use raybook_grader::contain;
 use raybook_grader::keys::{self, Pressed};
 use raybook_grader::progress::Progress;
 use raybook_grader::student;
-use raybook_grader::watched::{Seen, changed};
+use raybook_grader::watched::{Snapshot, changed};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use std::error::Error;
 use std::panic::resume_unwind;
@@ -71,7 +71,7 @@ impl Watch {
             say(format!("The page: {address}"));
             page = Some(served);
         }
-        let mut seen = Seen::of(&folder);
+        let mut seen = Snapshot::of(&folder);
         let mut asked = self.asked();
         let mut names = Self::names(&asked, &folder, &[]);
         let mut hints = 0;
@@ -100,14 +100,14 @@ impl Watch {
                 Pressed::Key('l') => list(&folder),
                 Pressed::Key(_) | Pressed::Nothing => {}
             }
-            let now = Seen::of(&folder);
+            let now = Snapshot::of(&folder);
             let files = changed(&seen, &now);
             if files.is_empty() {
                 continue;
             }
             // Editors write a file in several steps, and people save several files: all of it is one change.
             sleep(PAUSE);
-            let later = Seen::of(&folder);
+            let later = Snapshot::of(&folder);
             if !changed(&now, &later).is_empty() {
                 continue;
             }

@@ -108,14 +108,14 @@ pub fn operations(
     operations.extend(brackets(&all));
     for at in steps.iter().filter(|at| tells && made.contains(&at.place)) {
         let others = steps.iter().filter(|of| of.place != at.place);
-        let slips = others.flat_map(|of| too_many(at, of));
+        let slips = others.flat_map(|of| foreign(at, of));
         operations.extend(slips.map(|slip| (at.place, slip)));
     }
     operations
 }
 
 /// What is done at a step with the value of another that does not belong into it.
-fn too_many(at: &Step, of: &Step) -> Vec<Operation> {
+fn foreign(at: &Step, of: &Step) -> Vec<Operation> {
     /// The rank of these slips.
     const SELDOM: u32 = 13;
     let name = super::short(of);

@@ -4,8 +4,16 @@ use super::evidence::{Evidence, Scope};
 use super::fit::Explanation;
 use raybook_workbook::kind::Kind;
 
+/// An own mistake in one number.
+pub struct InOne {
+    mistake: usize,
+    number: usize,
+    name: String,
+    hint: &'static str,
+}
+
 /// Every own mistake in every single number of an answer that is a few numbers.
-pub fn explanations(evidence: &Evidence<'_>) -> Vec<Explanation> {
+pub fn all(evidence: &Evidence<'_>) -> Vec<InOne> {
     let examiner = evidence.examiner;
     let names: &[&str] = match examiner.asked().answer.kind {
         Kind::Numbers(numbers) => numbers.parts,
@@ -15,26 +23,40 @@ pub fn explanations(evidence: &Evidence<'_>) -> Vec<Explanation> {
     if evidence.scope != Scope::Whole {
         return Vec::new();
     }
-    let in_one = |mistake: usize, number: usize| {
-        let answers = evidence.items.iter().map(|item| {
-            let mistaken = examiner.mistake_answers(mistake, &item.question)?;
-            let mut answer = item.golden().to_vec();
-            *answer.get_mut(number)? = *mistaken.get(number)?;
-            Some(answer)
-        });
-        answers.collect()
-    };
     let mut all = Vec::new();
-    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
+    for (mistake, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
         for (number, only) in names.iter().enumerate() {
-            all.push(Explanation {
-                name: format!("{name}, in {only} only"),
-                hint: hint.to_owned(),
-                rank: 15,
-                fitted: 0,
-                answers: in_one(i, number),
+            let name = format!("{name}, in {only} only");
+            all.push(InOne {
+                mistake,
+                number,
+                name,
+                hint,
             });
         }
     }
     all
+}
+
+impl InOne {
+    /// What it answers to question k.
+    pub fn answer(&self, evidence: &Evidence<'_>, k: usize) -> Option<Vec<f64>> {
+        let item = &evidence.items[k];
+        let examiner = evidence.examiner;
+        let mistaken = examiner.mistake_answers(self.mistake, &item.question)?;
+        let mut answer = item.golden().to_vec();
+        *answer.get_mut(self.number)? = *mistaken.get(self.number)?;
+        Some(answer)
+    }
+
+    /// What is told of it; its answers are asked for one by one.
+    pub fn explanation(&self) -> Explanation {
+        Explanation {
+            name: self.name.clone(),
+            hint: self.hint.to_owned(),
+            rank: 15,
+            fitted: 0,
+            answers: Vec::new(),
+        }
+    }
 }

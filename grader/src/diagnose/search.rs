@@ -92,10 +92,13 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     let golden = golden(evidence);
     let mut made = special::explanations(evidence, &golden);
     made.extend(fit::explanations(evidence, &golden, true));
-    made.extend(component::explanations(evidence));
     for one in made {
         let answers = one.answers.clone();
         consider(evidence, share, one, &|k| answers[k].clone(), found);
+    }
+    for one in component::all(evidence) {
+        let answer = |k: usize| one.answer(evidence, k);
+        consider(evidence, share, one.explanation(), &answer, found);
     }
     for reading in readings {
         let answer = |k: usize| misread(evidence, reading, k);

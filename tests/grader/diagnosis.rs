@@ -1,6 +1,7 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
 mod flaws;
+mod formulas;
 mod guesses;
 mod habits;
 mod mistakes;

@@ -146,9 +146,7 @@ impl Graded for BvhClosest {
             answer: |q| {
                 let mut answer = Self::answer(q);
                 if let Some(hit) = &mut answer.hit {
-                    let holds =
-                        |node: &&NodeRow| (node.first..node.first + node.count).contains(&hit.id);
-                    let leaf = q.nodes.iter().find(holds);
+                    let leaf = leaf_of(q, hit.id);
                     hit.id = leaf.map_or(hit.id, |leaf| leaf.first);
                 }
                 answer
@@ -186,9 +184,7 @@ impl Graded for BvhClosest {
             answer: |q| {
                 let mut answer = Self::answer(q);
                 if let Some(hit) = &mut answer.hit {
-                    let holds =
-                        |node: &&NodeRow| (node.first..node.first + node.count).contains(&hit.id);
-                    let leaf = q.nodes.iter().find(holds);
+                    let leaf = leaf_of(q, hit.id);
                     hit.id -= leaf.map_or(0, |leaf| leaf.first);
                 }
                 answer
@@ -294,6 +290,12 @@ fn tests_without_hit(most: u32, got: u32) -> Verdict {
             "the hit is right, but it took {got} triangle tests; where nothing is hit, every search makes {most}"
         ))
     }
+}
+
+/// The leaf that holds a triangle.
+fn leaf_of(q: &BvhClosest, triangle: u32) -> Option<&NodeRow> {
+    let holds = |node: &&NodeRow| (node.first..node.first + node.count).contains(&triangle);
+    q.nodes.iter().find(holds)
 }
 
 /// A search that goes wrong in some way.

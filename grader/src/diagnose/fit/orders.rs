@@ -19,6 +19,31 @@ pub(super) fn sign(signs: u32, component: usize) -> f64 {
     }
 }
 
+/// Which components people take for n of them, each by its place: all of them in another order, or one of them twice.
+pub(super) fn orders_of(n: usize) -> &'static [&'static [usize]] {
+    match n {
+        2 => &[&[0, 1], &[1, 0], &[0, 0], &[1, 1]],
+        3 => &[
+            &[0, 1, 2],
+            &[1, 0, 2],
+            &[2, 1, 0],
+            &[0, 2, 1],
+            &[1, 2, 0],
+            &[2, 0, 1],
+            &[0, 0, 0],
+            &[1, 1, 1],
+            &[2, 2, 2],
+            &[0, 0, 2],
+            &[0, 1, 0],
+            &[0, 1, 1],
+            &[1, 1, 2],
+            &[2, 1, 2],
+            &[0, 2, 2],
+        ],
+        _ => &[],
+    }
+}
+
 impl Maker<'_, '_> {
     /// The right components in an order that is not the same in all cases, as of roots that are not sorted.
     fn reordered(&mut self) {
@@ -109,28 +134,7 @@ impl Maker<'_, '_> {
     pub(super) fn orders(&mut self) {
         let axes = self.axes();
         let n = axes.len();
-        let orders: &[&[usize]] = match n {
-            2 => &[&[0, 1], &[1, 0], &[0, 0], &[1, 1]],
-            3 => &[
-                &[0, 1, 2],
-                &[1, 0, 2],
-                &[2, 1, 0],
-                &[0, 2, 1],
-                &[1, 2, 0],
-                &[2, 0, 1],
-                &[0, 0, 0],
-                &[1, 1, 1],
-                &[2, 2, 2],
-                &[0, 0, 2],
-                &[0, 1, 0],
-                &[0, 1, 1],
-                &[1, 1, 2],
-                &[2, 1, 2],
-                &[0, 2, 2],
-            ],
-            _ => return,
-        };
-        for order in orders {
+        for order in orders_of(n) {
             for signs in self.signs() {
                 let Some((name, rank)) = self.order_called(order, signs) else {
                     continue;

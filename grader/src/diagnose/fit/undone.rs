@@ -1,6 +1,7 @@
 //! Changes that are taken back: where many answers are right, a wrong one is no function of the golden one, but of another right one, and
 //! without the change it is right again.
 
+use super::orders::orders_of;
 use super::{Answers, Explanation, FACTORS, Maker};
 use crate::diagnose::evidence::{Evidence, Item};
 use crate::diagnose::function::FUNCTIONS;
@@ -85,21 +86,9 @@ impl Maker<'_, '_> {
 
     /// The same components in another order or with other signs.
     fn turned(&self) -> Vec<Undone> {
-        let orders: &[&[usize]] = match self.axes().len() {
-            2 => &[&[0, 1], &[1, 0]],
-            3 => &[
-                &[0, 1, 2],
-                &[1, 0, 2],
-                &[2, 1, 0],
-                &[0, 2, 1],
-                &[1, 2, 0],
-                &[2, 0, 1],
-            ],
-            _ => &[],
-        };
-        let all = orders
-            .iter()
-            .flat_map(|order| self.signs().map(move |signs| (*order, signs)));
+        let is_whole = |order: &&&[usize]| (0..order.len()).all(|k| order.contains(&k));
+        let orders = orders_of(self.axes().len()).iter().filter(is_whole);
+        let all = orders.flat_map(|order| self.signs().map(move |signs| (*order, signs)));
         let all = all.filter_map(|(order, signs)| {
             let (name, rank) = self.order_called(order, signs)?;
             let sign = move |k: usize| super::orders::sign(signs, k);

@@ -1,0 +1,167 @@
+//! What people make of a step's value, of a power, of several things and of the rounds of a loop.
+
+use crate::explain::slip::{Among, Change, Powers, Rounds};
+use std::f64::consts::{LN_2, LN_10, PI, TAU};
+
+/// What is often made of a value of a certain size.
+pub struct Common {
+    /// How many numbers the value has; none stands for any number of them.
+    sizes: &'static [usize],
+    /// In words.
+    pub name: &'static str,
+    /// How common it is.
+    pub rank: u32,
+    /// What is made.
+    pub change: Change,
+}
+
+impl Common {
+    /// Whether it is made of values of this size.
+    pub fn suits(&self, size: usize) -> bool {
+        self.sizes.is_empty() || self.sizes.contains(&size)
+    }
+}
+
+macro_rules! common {
+    ($([$($size:literal)*] $rank:literal $name:literal: $how:ident $of:expr;)+) => {
+        /// What is often made of values.
+        pub const COMMON: &[Common] = &[$(Common { sizes: &[$($size),*], name: $name, rank: $rank, change: Change::$how($of) }),+];
+    };
+}
+
+common! {
+    [] 9 "takes 1, as if the value were not there": Each |_| 1.0;
+    [] 9 "takes 0": Each |_| 0.0;
+    [] 9 "takes twice the value": Each |v| 2.0 * v;
+    [] 9 "takes half of the value": Each |v| 0.5 * v;
+    [] 9 "takes 4 times the value": Each |v| 4.0 * v;
+    [] 9 "takes a quarter of the value": Each |v| 0.25 * v;
+    [] 10 "takes 3 times the value": Each |v| 3.0 * v;
+    [] 10 "takes a third of the value": Each |v| v / 3.0;
+    [] 11 "takes 1½ times the value": Each |v| 1.5 * v;
+    [] 12 "takes 10 times the value": Each |v| 10.0 * v;
+    [] 12 "takes a tenth of the value": Each |v| 0.1 * v;
+    [] 12 "takes 8 times the value": Each |v| 8.0 * v;
+    [] 12 "takes an eighth of the value": Each |v| 0.125 * v;
+    [] 10 "takes π times the value": Each |v| PI * v;
+    [] 10 "takes the value divided by π": Each |v| v / PI;
+    [] 10 "takes 2π times the value": Each |v| TAU * v;
+    [] 10 "takes the value divided by 2π": Each |v| v / TAU;
+    [] 12 "takes π² times the value, as if it were multiplied by π instead of divided": Each |v| PI * PI * v;
+    [] 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
+    [1 2] 11 "takes the value plus 1": Each |v| v + 1.0;
+    [1 2] 11 "takes the value minus 1": Each |v| v - 1.0;
+    [1 2] 11 "takes the value plus ½": Each |v| v + 0.5;
+    [1 2] 11 "takes the value minus ½": Each |v| v - 0.5;
+    [1 2] 12 "takes the value plus 2": Each |v| v + 2.0;
+    [1 2] 12 "takes the value minus 2": Each |v| v - 2.0;
+    [] 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
+    [] 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
+    [2] 10 "exchanges both numbers": Together |v| v.swap(0, 1);
+    [2] 11 "has the sign of the first number wrong": Together |v| v[0] = -v[0];
+    [2] 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
+    [2] 12 "takes the first number twice": Together |v| v[1] = v[0];
+    [2] 12 "takes the second number twice": Together |v| v[0] = v[1];
+    [2] 12 "takes 0 for the first number": Together |v| v[0] = 0.0;
+    [2] 12 "takes 0 for the second number": Together |v| v[1] = 0.0;
+    [2] 11 "takes one more for the first number": Together |v| v[0] += 1.0;
+    [2] 11 "takes one less for the first number": Together |v| v[0] -= 1.0;
+    [2] 11 "takes one more for the second number": Together |v| v[1] += 1.0;
+    [2] 11 "takes one less for the second number": Together |v| v[1] -= 1.0;
+    [2] 12 "counts the first number from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
+    [2] 12 "counts the second number from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
+    [3] 11 "has the sign of x wrong": Together |v| v[0] = -v[0];
+    [3] 11 "has the sign of y wrong": Together |v| v[1] = -v[1];
+    [3] 11 "has the sign of z wrong": Together |v| v[2] = -v[2];
+    [3] 11 "exchanges x and y": Together |v| v.swap(0, 1);
+    [3] 11 "exchanges x and z": Together |v| v.swap(0, 2);
+    [3] 11 "exchanges y and z": Together |v| v.swap(1, 2);
+    [3] 12 "takes (y, z, x) for (x, y, z)": Together |v| v.rotate_left(1);
+    [3] 12 "takes (z, x, y) for (x, y, z)": Together |v| v.rotate_right(1);
+    [3] 12 "takes x for all three": Together |v| v.fill(v[0]);
+    [3] 12 "takes y for all three": Together |v| v.fill(v[1]);
+    [3] 12 "takes z for all three": Together |v| v.fill(v[2]);
+    [3] 13 "takes twice x": Together |v| v[0] *= 2.0;
+    [3] 13 "takes twice y": Together |v| v[1] *= 2.0;
+    [3] 13 "takes twice z": Together |v| v[2] *= 2.0;
+    [3] 13 "takes y for x": Together |v| v[0] = v[1];
+    [3] 13 "takes z for x": Together |v| v[0] = v[2];
+    [3] 13 "takes x for y": Together |v| v[1] = v[0];
+    [3] 13 "takes z for y": Together |v| v[1] = v[2];
+    [3] 13 "takes x for z": Together |v| v[2] = v[0];
+    [3] 13 "takes y for z": Together |v| v[2] = v[1];
+    [3] 12 "takes 0 for x": Together |v| v[0] = 0.0;
+    [3] 12 "takes 0 for y": Together |v| v[1] = 0.0;
+    [3] 12 "takes 0 for z": Together |v| v[2] = 0.0;
+    [3] 12 "takes 1 for x": Together |v| v[0] = 1.0;
+    [3] 12 "takes 1 for y": Together |v| v[1] = 1.0;
+    [3] 12 "takes 1 for z": Together |v| v[2] = 1.0;
+    [3] 12 "takes the absolute value of x": Together |v| v[0] = v[0].abs();
+    [3] 12 "takes the absolute value of y": Together |v| v[1] = v[1].abs();
+    [3] 12 "takes the absolute value of z": Together |v| v[2] = v[2].abs();
+    [3] 10 "normalises the value": Together |v| {
+        let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+        for v in v {
+            *v /= length;
+        }
+    };
+}
+
+/// What people make of a base and an exponent: how common it is, in words, and the number.
+pub const POWERS: &[(u32, &str, Powers)] = &[
+    (
+        9,
+        "multiplies by the exponent instead of raising to the power",
+        |base, exponent| base * exponent,
+    ),
+    (
+        9,
+        "exchanges the base and the exponent",
+        |base, exponent| exponent.powf(base),
+    ),
+    (
+        10,
+        "divides by the exponent instead of raising to the power",
+        |base, exponent| base / exponent,
+    ),
+    (
+        12,
+        "adds the exponent instead of raising to the power",
+        |base, exponent| base + exponent,
+    ),
+];
+
+/// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
+pub const AMONG: &[(u32, &str, Among)] = &[
+    (2, "lets the last alone count", |all| {
+        all.last() == Some(&true)
+    }),
+    (2, "lets the first alone count", |all| {
+        all.first() == Some(&true)
+    }),
+    (2, "leaves out the first", |all| {
+        all.iter().skip(1).any(|one| *one)
+    }),
+    (2, "leaves out the last", |all| {
+        all.iter().rev().skip(1).any(|one| *one)
+    }),
+    (2, "wants all, where one is enough,", |all| {
+        all.iter().all(|one| *one)
+    }),
+];
+
+/// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.
+pub const ROUNDS: &[(u32, &str, Rounds)] = &[
+    (9, "leaves out the last of", |all| {
+        all.start..all.end.max(1) - 1
+    }),
+    (9, "leaves out the first of", |all| {
+        (all.start + 1).min(all.end)..all.end
+    }),
+    (10, "ends after the first of", |all| {
+        all.start..all.end.min(1)
+    }),
+];
+
+/// Thresholds that people write for 0; of those that explain the answers the largest is told.
+pub const NEAR: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];

@@ -1,0 +1,175 @@
+//! What goes wrong within a formula is named: brackets, powers, one component, a value that does not belong there, one of several things.
+
+use super::operations::diagnosed;
+use glam::DVec3;
+use raybook_grader::cases;
+
+#[test]
+fn brackets_that_are_too_many_are_named() {
+    let found = diagnosed("camera_ray", |q| {
+        let v = |at: usize| glam::DVec3::from_slice(&q[at..]);
+        let (length, plane, film) = (q[12], &q[13..15], &q[15..17]);
+        let across = (film[0] - 0.5) * plane[0] * v(6);
+        let along = length * (v(3) + across) + (0.5 - film[1]) * plane[1] * v(9);
+        Some([v(0).to_array(), along.normalize().to_array()].concat())
+    });
+    let told = "adds “x·right” before multiplying by “focal_length”, as with brackets";
+    assert!(found.name.ends_with(told), "{}", found.name);
+    assert!(found.certain);
+}
+
+#[test]
+fn brackets_that_are_forgotten_are_named() {
+    let found = diagnosed("plane_hit", |q| {
+        let v = |at: usize| glam::DVec3::from_slice(&q[at..]);
+        let (o, d, n, offset) = (v(0), v(3), v(8), q[11]);
+        let t = offset - n.dot(o) / n.dot(d);
+        let counts = n.dot(d) != 0.0 && q[6] < t && t < q[7];
+        Some(if counts { vec![1.0, t] } else { vec![0.0] })
+    });
+    assert!(
+        found.name.ends_with("as without brackets"),
+        "{}",
+        found.name
+    );
+}
+
+#[test]
+fn a_power_that_is_no_power_is_named() {
+    let found = diagnosed("expose", |q| {
+        Some(q[..3].iter().map(|v| v * 2.0 * q[3]).collect())
+    });
+    let told = "goes wrong at the step “2^stops”: multiplies by the exponent instead of raising to the power";
+    assert_eq!((&*found.name, found.certain), (told, true));
+}
+
+#[test]
+fn twice_a_value_for_its_square_is_named() {
+    let found = diagnosed("solve_quadratic", |q| {
+        let [a, b, c] = [q[0], q[1], q[2]];
+        let square = 2.0 * b - 4.0 * a * c;
+        if a == 0.0 || square < 0.0 {
+            return Some(vec![0.0]);
+        }
+        let root = -0.5 * (b + square.sqrt().copysign(b));
+        if root == 0.0 {
+            return Some(vec![1.0, 0.0, 0.0]);
+        }
+        let (s, t) = (root / a, c / root);
+        Some(vec![1.0, s.min(t), s.max(t)])
+    });
+    let told = "goes wrong at the step “B²”: takes twice “B” instead of its square";
+    assert_eq!(found.name, told);
+}
+
+/// A reflected direction, of the products that i·n adds up and of the twofold part along n.
+fn reflected(q: &[f64], products: DVec3, taken: impl Fn(DVec3) -> DVec3) -> Vec<f64> {
+    let [i, n] = [0, 3].map(|from| DVec3::from_slice(&q[from..]));
+    let cosine = (i * n * products).element_sum();
+    let reflected = i - taken(2.0 * cosine * n);
+    reflected.normalize().to_array().to_vec()
+}
+
+#[test]
+fn a_dot_product_of_two_components_is_named() {
+    let found = diagnosed("reflect", |q| {
+        Some(reflected(q, DVec3::new(1.0, 1.0, 0.0), |part| part))
+    });
+    let told = "goes wrong at the step “the products that i·n adds up”: takes 0 for z";
+    assert_eq!((&*found.name, found.certain), (told, true));
+}
+
+#[test]
+fn one_slip_that_explains_nearly_all_is_told_before_two() {
+    let found = diagnosed("reflect", |q| {
+        Some(reflected(q, DVec3::ONE, |part| part.with_x(0.0)))
+    });
+    let told = "takes 0 for x";
+    assert!(found.name.ends_with(told), "{found:?}");
+}
+
+/// Phong's model, with a slip in the diffuse part and in the highlight, made of what they are, the exponent and the light.
+fn phong(
+    q: &[f64],
+    matte: impl Fn(f64, f64) -> f64,
+    shiny: impl Fn(f64, DVec3) -> DVec3,
+) -> Vec<f64> {
+    let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
+    let height = n.dot(l);
+    let cosine = (2.0 * height * n - l).dot(v);
+    let shine = if cosine > 0.0 {
+        cosine.powf(q[18])
+    } else {
+        0.0
+    };
+    let light = if height > 0.0 {
+        (k_d * matte(height, q[18]) + k_s * shiny(shine, i)) * i
+    } else {
+        DVec3::ZERO
+    };
+    light.to_array().to_vec()
+}
+
+#[test]
+fn a_power_that_does_not_belong_there_is_named() {
+    let found = diagnosed("phong", |q| {
+        Some(phong(q, f64::powf, |shine, _| DVec3::splat(shine)))
+    });
+    let told = "goes wrong at the step “L·N in the diffuse part”: raises to the power of “α” too";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_factor_that_does_not_belong_there_is_named() {
+    let found = diagnosed("phong", |q| {
+        Some(phong(q, |height, _| height, |shine, i| shine * i))
+    });
+    let told = "goes wrong at the step “specular: k_s times that”: multiplies by “i” too";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_sine_that_is_taken_for_its_angle_is_named() {
+    let found = diagnosed("refract", |q| {
+        let [i, n] = [0, 3].map(|from| DVec3::from_slice(&q[from..]));
+        let leaves = i.dot(n) > 0.0;
+        let (n, eta) = if leaves {
+            (-n, q[7] / q[6])
+        } else {
+            (n, q[6] / q[7])
+        };
+        let along = eta * (i - i.dot(n) * n);
+        let sine = along.length();
+        let refracted = along - sine.cos() * n;
+        Some(if sine > 1.0 {
+            vec![0.0]
+        } else {
+            [&[1.0], &refracted.to_array()[..]].concat()
+        })
+    });
+    let told = "as if the sine were the angle";
+    assert!(found.name.ends_with(told), "{found:?}");
+}
+
+#[test]
+fn who_lets_the_last_of_several_decide_is_told_so_before_two_mistakes() {
+    let call = cases::find("lit").expect("it exists").asked().call;
+    let found = diagnosed("lit", |q| {
+        let last = &q[q.len() - 4..];
+        Some(call(&[&q[..11], &[1.0], last].concat()))
+    });
+    let told = "looks at the last of the list only (center)";
+    assert_eq!((&*found.name, found.certain), (told, false));
+}
+
+#[test]
+fn who_wants_all_where_one_is_enough_is_told_so() {
+    let call = cases::find("lit").expect("it exists").asked().call;
+    let found = diagnosed("lit", |q| {
+        let mut spheres = q[12..].chunks(4);
+        let hides = |sphere: &[f64]| call(&[&q[..11], &[1.0], sphere].concat()) == [0.0];
+        Some(vec![f64::from(u8::from(!spheres.all(hides)))])
+    });
+    let told = "wants all, where one is enough, when it decides whether a sphere is in the way";
+    assert_eq!(found.name, told, "{found:?}");
+}

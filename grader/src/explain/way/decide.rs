@@ -1,0 +1,93 @@
+//! Decisions on a way: conditions, comparisons, and several things of which one is enough.
+
+use super::{Asks, Decision, Way};
+use crate::explain::slip::{Comparison, Place, Slip};
+
+impl Way {
+    /// Whether a condition holds on which the calculation branches.
+    #[track_caller]
+    pub fn decides(&mut self, name: &'static str, holds: bool) -> bool {
+        self.decide(name, holds, None)
+    }
+
+    /// Whether a number is less than another.
+    #[track_caller]
+    pub fn is_less(&mut self, name: &'static str, one: f64, other: f64) -> bool {
+        self.compares(name, one, other, false)
+    }
+
+    /// Whether a number is another at most.
+    #[track_caller]
+    pub fn is_at_most(&mut self, name: &'static str, one: f64, other: f64) -> bool {
+        self.compares(name, one, other, true)
+    }
+
+    /// Whether a number is 0.
+    #[track_caller]
+    pub fn is_zero(&mut self, name: &'static str, v: f64) -> bool {
+        self.compares(name, v.abs(), 0.0, true)
+    }
+
+    /// Whether any of several things holds.
+    #[track_caller]
+    pub fn any(&mut self, name: &'static str, each: &[bool]) -> bool {
+        let place = Place::here();
+        let slips = self.slips.iter().flatten();
+        let among = slips.filter_map(|slip| match slip {
+            Slip::Among(at, of) if *at == place => Some(of(each)),
+            _ => None,
+        });
+        let holds = each.contains(&true);
+        let holds = among.fold(holds, |_, holds| holds);
+        let at = self.decision(name, place);
+        if each.len() > 1 {
+            self.decisions[at].asks = Asks::Several;
+        }
+        self.settle(at, holds, None)
+    }
+
+    #[track_caller]
+    fn compares(&mut self, name: &'static str, one: f64, other: f64, equal_counts: bool) -> bool {
+        let of = Comparison {
+            one,
+            other,
+            equal_counts,
+        };
+        self.decide(name, of.holds(), Some(of))
+    }
+
+    #[track_caller]
+    fn decide(&mut self, name: &'static str, holds: bool, of: Option<Comparison>) -> bool {
+        let at = self.decision(name, Place::here());
+        self.settle(at, holds, of)
+    }
+
+    /// The number of the decision at a place, which is new when the way comes by it first.
+    fn decision(&mut self, name: &'static str, place: Place) -> usize {
+        self.count();
+        let at = self.decisions.iter().position(|one| one.place == place);
+        at.unwrap_or_else(|| {
+            self.decisions.push(Decision {
+                name,
+                place,
+                held: false,
+                failed: false,
+                asks: Asks::One,
+            });
+            self.decisions.len() - 1
+        })
+    }
+
+    /// What comes of a decision.
+    fn settle(&mut self, at: usize, holds: bool, of: Option<Comparison>) -> bool {
+        let decision = &mut self.decisions[at];
+        decision.held |= holds;
+        decision.failed |= !holds;
+        if of.is_some() {
+            decision.asks = Asks::Compared;
+        }
+        let place = decision.place;
+        let slips = self.slips.iter().flatten();
+        slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
+    }
+}

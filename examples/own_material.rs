@@ -2,7 +2,6 @@
 
 use raybook::material::texture::Texture;
 use raybook::prelude::*;
-use raybook::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use std::error::Error;
 use std::f32::consts::FRAC_1_PI;
 
@@ -20,14 +19,6 @@ impl Material for Velvet {
             return Rgb::BLACK;
         }
         self.colour * (FRAC_1_PI * (1.0 - into * out))
-    }
-
-    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        Some(cosine_hemisphere(at.facing(view), u))
-    }
-
-    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        cosine_pdf(at.facing(view).dot(*toward))
     }
 }
 

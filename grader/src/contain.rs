@@ -1,6 +1,7 @@
 //! Holding a student's process and its children together, so that none is left behind. The system's own code is here.
 
 use crate::keys;
+use crate::mutex::lock;
 use crate::sandbox::Sandbox;
 #[cfg(target_os = "linux")]
 use crate::stat::Stat;
@@ -10,7 +11,7 @@ use rustix::process::Pid;
 use std::io;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard};
 use std::thread;
 use std::time::{Duration, Instant};
 
@@ -154,7 +155,7 @@ impl Drop for Stopped {
 }
 
 fn held() -> MutexGuard<'static, Vec<(u32, String)>> {
-    HELD.lock().unwrap_or_else(PoisonError::into_inner)
+    lock(&HELD)
 }
 
 /// A signal by its name.

@@ -20,6 +20,7 @@ pub use terminal::{are_there, restore, wait};
 #[cfg(unix)]
 mod terminal {
     use super::{Duration, Pressed};
+    use crate::mutex::lock;
     use crate::suspend::suspend;
     use rustix::event::{PollFd, PollFlags, Timespec, poll};
     use rustix::io::{Errno, read};
@@ -29,7 +30,7 @@ mod terminal {
         tcsetattr,
     };
     use std::io::stdin;
-    use std::sync::{Mutex, PoisonError};
+    use std::sync::Mutex;
     use std::thread::sleep;
 
     /// How the terminal was, as long as it is changed.
@@ -80,7 +81,7 @@ mod terminal {
     impl Changed {
         fn new() -> Option<Self> {
             let before = tcgetattr(stdin()).ok()?;
-            let mut kept = BEFORE.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut kept = lock(&BEFORE);
             let mut changed = before.clone();
             changed.local_modes -= LocalModes::ICANON | LocalModes::ECHO;
             changed.special_codes[SpecialCodeIndex::VSUSP] = DISABLED;
@@ -98,7 +99,7 @@ mod terminal {
 
     /// Makes the terminal as it was before, and calls this before anybody can change it again.
     pub(crate) fn as_before(then: impl FnOnce()) {
-        let mut kept = BEFORE.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut kept = lock(&BEFORE);
         if let Some(before) = kept.take() {
             // A terminal that is gone needs nothing.
             let _ = tcsetattr(stdin(), OptionalActions::Now, &before);
@@ -110,7 +111,7 @@ mod terminal {
     pub fn restore() {
         as_before(|| {});
         // The lock is kept, so that no other thread can change the terminal again.
-        std::mem::forget(BEFORE.lock());
+        std::mem::forget(lock(&BEFORE));
     }
 }
 

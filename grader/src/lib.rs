@@ -34,6 +34,7 @@ pub mod limits;
 mod listen;
 pub mod lock;
 pub mod manifest;
+pub mod mutex;
 pub mod own;
 pub mod own_chapters;
 pub mod pairing;

@@ -1,8 +1,9 @@
 //! Ctrl-Z stops the grader with all that it started, and the time until it goes on is nobody's.
 
 #[cfg(unix)]
+use crate::mutex::lock;
 use crate::{contain, keys};
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 use std::time::{Duration, Instant};
 
 /// How long the grader has been stopped in all. It is locked while it is stopped.
@@ -10,7 +11,7 @@ static STOPPED: Mutex<Duration> = Mutex::new(Duration::ZERO);
 
 /// The time by a clock that stands still while the grader is stopped.
 pub(crate) fn now() -> Instant {
-    let stopped = STOPPED.lock().unwrap_or_else(PoisonError::into_inner);
+    let stopped = lock(&STOPPED);
     let now = Instant::now();
     now.checked_sub(*stopped).unwrap_or(now)
 }
@@ -18,7 +19,7 @@ pub(crate) fn now() -> Instant {
 /// Stops the grader and the programs that it asks, until somebody lets it go on.
 #[cfg(unix)]
 pub(crate) fn suspend() {
-    let mut stopped = STOPPED.lock().unwrap_or_else(PoisonError::into_inner);
+    let mut stopped = lock(&STOPPED);
     let since = Instant::now();
     let held = contain::stop_all();
     keys::as_before(stop_here);

@@ -2,11 +2,10 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::material::{Material, phong::Phong};
+use crate::material::Material;
+use crate::material::phong::{Phong, per_cosine};
 use crate::math::dir3::Dir3;
-use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
-use glam::Vec2;
 
 /// [`Phong`]'s model with (N·H)^α instead of (R·V)^α (Blinn, "Models of light reflection for computer synthesized
 /// pictures", 1977).
@@ -34,20 +33,7 @@ impl BlinnPhong {
 impl Material for BlinnPhong {
     /// [`BlinnPhong::reflect`] for 1 W/m², over the cosine L·N that it contains.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
-        let cosine = at.facing(view).dot(*toward);
-        if cosine <= 0.0 {
-            return Rgb::BLACK;
-        }
-        self.lit(at, view, &LightSample::unit(toward)) / cosine
-    }
-
-    /// A direction with a density proportional to the cosine: the best for the matte part, and unbiased for the highlight.
-    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        Some(cosine_hemisphere(at.facing(view), u))
-    }
-
-    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        cosine_pdf(at.facing(view).dot(*toward))
+        per_cosine(self, at, view, toward)
     }
 
     /// The model itself: it multiplies the matte part by the cosine, but not the highlight.

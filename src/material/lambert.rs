@@ -3,9 +3,7 @@
 use crate::image::rgb::Rgb;
 use crate::material::Material;
 use crate::math::dir3::Dir3;
-use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
-use glam::Vec2;
 use std::f32::consts::FRAC_1_PI;
 
 /// A surface that looks equally bright from all directions (Lambert, *Photometria*, 1760).
@@ -26,12 +24,4 @@ impl Material for Lambert {
         }
     }
     // ANCHOR_END: lambert
-
-    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        Some(cosine_hemisphere(at.facing(view), u))
-    }
-
-    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        cosine_pdf(at.facing(view).dot(*toward))
-    }
 }

@@ -22,6 +22,7 @@ pub mod texture;
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::math::{dir3::Dir3, ray::Ray};
+use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
 use glam::Vec2;
 use glass::Medium;
@@ -46,14 +47,19 @@ pub trait Material: Send + Sync {
 
     /// A direction towards light, chosen with a density about proportional to f cos θ (importance sampling).
     ///
-    /// u is uniform in [0, 1)². `None` if the direction is behind the surface, from where no light comes.
-    fn sample(&self, _at: &Surface, _view: Dir3, _u: Vec2) -> Option<Dir3> {
-        None
+    /// u is uniform in [0, 1)². `None` if the direction is behind the surface, from where no light comes. A material without a
+    /// density of its own is sampled by the cosine alone, which is right for every f, and best for a matte one.
+    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
+        self.scatters(at)
+            .then(|| cosine_hemisphere(at.facing(view), u))
     }
 
     /// The density, in 1/sr, with which [`Material::sample`] chooses the direction `toward`.
-    fn pdf(&self, _at: &Surface, _view: Dir3, _toward: Dir3) -> f32 {
-        0.0
+    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
+        if !self.scatters(at) {
+            return 0.0;
+        }
+        cosine_pdf(at.facing(view).dot(*toward))
     }
 
     /// A direction by [`Material::sample`], with its `pdf` and its f: all that a path needs, in one call.

@@ -4,9 +4,7 @@ use crate::image::rgb::Rgb;
 use crate::light::LightSample;
 use crate::material::Material;
 use crate::math::dir3::Dir3;
-use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
-use glam::Vec2;
 
 /// Ambient, diffuse and specular reflection (Phong, "Illumination for computer generated pictures", 1975).
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -47,20 +45,7 @@ impl Material for Phong {
     /// f is the reflected radiance for 1 W/m², over the cosine L·N. It grows without bound at the horizon, and for a large k_s
     /// the model reflects more energy than arrives: it is an empirical model, not a physical one.
     fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
-        let cosine = at.facing(view).dot(*toward);
-        if cosine <= 0.0 {
-            return Rgb::BLACK;
-        }
-        self.lit(at, view, &LightSample::unit(toward)) / cosine
-    }
-
-    /// A direction with a density proportional to the cosine: the best for the matte part, and unbiased for the highlight.
-    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        Some(cosine_hemisphere(at.facing(view), u))
-    }
-
-    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        cosine_pdf(at.facing(view).dot(*toward))
+        per_cosine(self, at, view, toward)
     }
 
     /// The model itself: it multiplies the matte part by the cosine, but not the highlight.
@@ -71,4 +56,13 @@ impl Material for Phong {
     fn ambient(&self, _at: &Surface) -> Rgb {
         self.ambient
     }
+}
+
+/// f of a model that is given by the radiance it reflects: the radiance for 1 W/m² from `toward`, over the cosine that it contains.
+pub(super) fn per_cosine(model: &impl Material, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+    let cosine = at.facing(view).dot(*toward);
+    if cosine <= 0.0 {
+        return Rgb::BLACK;
+    }
+    model.lit(at, view, &LightSample::unit(toward)) / cosine
 }

@@ -4,9 +4,7 @@ use crate::image::rgb::Rgb;
 use crate::material::fresnel::fresnel;
 use crate::material::{Delta, Material, mirror::Mirror};
 use crate::math::dir3::Dir3;
-use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
-use glam::Vec2;
 use std::f32::consts::FRAC_1_PI;
 
 /// A clear coat that mirrors the share R of the light, by Fresnel's equations, over a matte ground that scatters the rest.
@@ -74,14 +72,6 @@ impl Material for Plastic {
         ground * (through * FRAC_1_PI / (self.index * self.index))
     }
     // ANCHOR_END: plastic
-
-    fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        Some(cosine_hemisphere(at.facing(view), u))
-    }
-
-    fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        cosine_pdf(at.facing(view).dot(*toward))
-    }
 
     fn ambient(&self, _at: &Surface) -> Rgb {
         self.albedo

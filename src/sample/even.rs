@@ -57,7 +57,8 @@ impl TryRng for Even {
         if let Some(second) = self.second.take() {
             return Ok(second);
         }
-        let [order, keys] = [0, 1].map(|i| mix(self.pixel ^ mix(2 * self.pairs + i)));
+        let key = |i| mix(self.pixel ^ mix(2 * self.pairs + i));
+        let (order, keys) = (key(0), key(1));
         self.pairs += 1;
         // The mask keeps the index below the power of two: the samples are a permutation of this part of the sequence.
         let [x, y] = sobol(scramble(self.index, order as u32) & self.digits);

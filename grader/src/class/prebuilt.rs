@@ -8,12 +8,13 @@
 use super::files::Files;
 use super::stage::{Trouble, write};
 use crate::language::Language;
+use crate::mutex::lock;
 use crate::sandbox::{Ready, Sandbox};
 use crate::starter::{self, StarterFile};
 use crate::student::StudentError;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::{Mutex, PoisonError};
+use std::sync::Mutex;
 
 /// The header of the standard library's headers.
 const HEADER: &str = "given.hpp";
@@ -67,7 +68,7 @@ impl Prebuilt {
         if given.is_empty() {
             return Ok(Ready::default());
         }
-        let mut compiled = self.compiled.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut compiled = lock(&self.compiled);
         let told = |(built, said): (Result<(), StudentError>, String)| {
             built.map_err(|error| format!("the starter in C++ cannot be compiled: {error}\n{said}"))
         };

@@ -8,10 +8,11 @@ use super::record::{Marked, Record, Standing};
 use super::stage::{self, Stage, Staged, Trouble};
 use crate::check::check_each;
 use crate::examine::{Case, Examiner};
+use crate::mutex::{self, lock};
 use crate::picture::ask::Pixels;
 use raybook::store::StoreError;
 use std::collections::{BTreeSet, VecDeque};
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::Mutex;
 
 /// How often a hand-in is tried when something other than itself fails.
 const ATTEMPTS: usize = 3;
@@ -107,12 +108,8 @@ pub fn run(
             });
         }
     });
-    let (_, failed) = shared.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let (_, failed) = mutex::into_inner(shared);
     failed.map_or(Ok(()), Err)
-}
-
-fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 
 /// One hand-in being graded.

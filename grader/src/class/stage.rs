@@ -7,6 +7,7 @@ use super::shortage::Shortage;
 use crate::converse::Program;
 use crate::examine::Examiner;
 use crate::language::Language;
+use crate::mutex::lock;
 use crate::sandbox::{ANSWER, Ready, Sandbox};
 use crate::starter;
 use crate::student::StudentError;
@@ -244,10 +245,7 @@ impl Stage {
 
     /// Compiles the packages that workbooks use, with a starter, once in a run.
     fn warm_up(&self) -> Result<(), Trouble> {
-        let mut warm = self
-            .warm
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut warm = lock(&self.warm);
         if *warm {
             return Ok(());
         }

@@ -19,6 +19,7 @@ use raybook_grader::class::run::{Shard, open, run};
 use raybook_grader::class::stage::Stage;
 use raybook_grader::class::when::Timestamp;
 use raybook_grader::class::{similar, times};
+use raybook_grader::mutex::{self, lock};
 use raybook_grader::sandbox::{Missing, Sandbox};
 use rayon::prelude::*;
 use std::collections::{BTreeMap, BTreeSet};
@@ -102,10 +103,7 @@ impl Grade {
             jobs,
             &|record| match record {
                 Some(record) => {
-                    graded
-                        .lock()
-                        .unwrap_or_else(std::sync::PoisonError::into_inner)
-                        .push(record);
+                    lock(&graded).push(record);
                     progress.tell();
                 }
                 None => progress.next(),
@@ -114,9 +112,7 @@ impl Grade {
         progress.end();
         stage.clear()?;
         ran?;
-        let graded = graded
-            .into_inner()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        let graded = mutex::into_inner(graded);
         let complete = tell_missing(&graded);
         if self.shard.is_some() {
             say(format!(

@@ -2,6 +2,7 @@
 
 use indicatif::{ProgressBar, ProgressStyle};
 use raybook_chapters::kit::say::complain;
+use raybook_grader::mutex::lock;
 use std::io::IsTerminal;
 use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
@@ -52,10 +53,7 @@ impl Pace {
     /// Something went on: where there is no terminal, it is time for a line now and then.
     pub fn tell(&self) {
         let through = self.through.load(Ordering::Relaxed);
-        let mut told = self
-            .told
-            .lock()
-            .unwrap_or_else(std::sync::PoisonError::into_inner);
+        let mut told = lock(&self.told);
         if !std::io::stderr().is_terminal()
             && told.elapsed() >= EVERY
             && (1..self.open).contains(&through)

@@ -4,10 +4,11 @@ use crate::Verdict;
 use crate::ask::{Asker, Said};
 use crate::budget::Total;
 use crate::converse::{Limits, Program};
+use crate::mutex::lock;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::collections::HashMap;
 use std::path::Path;
-use std::sync::{Mutex, MutexGuard, PoisonError};
+use std::sync::{Mutex, MutexGuard};
 use std::thread::{self, ThreadId};
 use std::time::Duration;
 
@@ -97,11 +98,11 @@ impl Reference {
     }
 
     fn troubles(&self) -> MutexGuard<'_, HashMap<ThreadId, String>> {
-        self.troubles.lock().unwrap_or_else(PoisonError::into_inner)
+        lock(&self.troubles)
     }
 
     fn ask(&self, line: &str) -> Result<String, String> {
-        let mut asker = self.asker.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut asker = lock(&self.asker);
         asker.next_exercise();
         let replies = asker.ask(&[line.to_owned()]);
         let command = Untrusted::from(self.command.as_str());

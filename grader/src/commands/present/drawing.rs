@@ -1,7 +1,7 @@
 //! Drawing what the page asks for. Who asks for another picture is not interested in the one before: that ends at once. Only what is
 //! drawn for good rests while a sketch is drawn, or a picture of the same chapter with knobs that were turned, and goes on then.
 
-use super::place::{Place, lock};
+use super::place::Place;
 use super::screens;
 use indicatif::{ProgressBar, ProgressDrawTarget};
 use raybook::store;
@@ -10,6 +10,7 @@ use raybook_chapters::kit::knobs::{self, Kind};
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Output, Stage};
 use raybook_chapters::lesson::Lesson;
+use raybook_grader::mutex::lock;
 use raybook_grader::serve::Answer;
 use serde_json::json;
 use std::error::Error;

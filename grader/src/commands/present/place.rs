@@ -2,9 +2,10 @@
 
 use indicatif::ProgressBar;
 use raybook_chapters::kit::stage::{Output, Stage};
+use raybook_grader::mutex::lock;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 
 /// Where pictures are drawn, one at a time.
 pub(super) struct Place {
@@ -69,9 +70,4 @@ impl Place {
         let output = outputs.iter().find(|output| output.png == png)?;
         Some(output.caption.clone())
     }
-}
-
-/// What a drawing that panicked has left behind is as good as any.
-pub(super) fn lock<T>(mutex: &Mutex<T>) -> MutexGuard<'_, T> {
-    mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }

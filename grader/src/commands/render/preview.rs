@@ -8,6 +8,7 @@ use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::say::{error_text, report};
 use raybook_chapters::kit::terminal;
 use raybook_grader::keys::{self, Pressed};
+use raybook_grader::mutex::lock;
 use raybook_grader::serve::{Answer, Request, Server};
 use raybook_scenes::Shot;
 use serde_json::json;
@@ -16,7 +17,7 @@ use std::fs;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex};
 use std::thread;
 use std::time::{Duration, SystemTime};
 
@@ -232,9 +233,4 @@ fn answer(shown: &Shown, request: &Request) -> Answer {
         "picture.png" if shown.number > 0 => Answer::png(shown.png.clone()),
         _ => Answer::unknown(),
     }
-}
-
-/// What a thread that panicked has left behind is as good as any.
-fn lock(shown: &Mutex<Shown>) -> MutexGuard<'_, Shown> {
-    shown.lock().unwrap_or_else(PoisonError::into_inner)
 }

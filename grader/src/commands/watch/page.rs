@@ -7,6 +7,7 @@ use raybook_grader::cases;
 use raybook_grader::check::Report;
 use raybook_grader::converse::Limits;
 use raybook_grader::explain::asked::{Asked, Which, pixel};
+use raybook_grader::mutex::lock;
 use raybook_grader::progress::Progress;
 use raybook_grader::report;
 use raybook_grader::serve::{Answer, Server};
@@ -14,7 +15,7 @@ use raybook_grader::student;
 use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
+use std::sync::{Arc, Mutex, MutexGuard};
 use std::thread::spawn;
 
 /// The page's script: it asks for the page again and again, shows what has changed, and makes its pictures answer to keys and clicks.
@@ -47,11 +48,11 @@ impl Page {
                 let parts: Vec<_> = request.path.split('/').collect();
                 match parts[..] {
                     [""] => {
-                        let text = shown.lock().unwrap_or_else(PoisonError::into_inner).clone();
+                        let text = lock(&shown).clone();
                         Answer::page(&text, SCRIPT)
                     }
                     ["explain", exercise, pixel] => {
-                        let _alone = alone.lock().unwrap_or_else(PoisonError::into_inner);
+                        let _alone = lock(&alone);
                         explain(&workbook, exercise, pixel)
                             .unwrap_or_else(|error| Answer::wrong(&error_text(&*error)))
                     }
@@ -70,7 +71,7 @@ impl Page {
 
     /// Nobody else builds or asks the workbook's program as long as this is held.
     pub fn alone(&self) -> MutexGuard<'_, ()> {
-        self.asking.lock().unwrap_or_else(PoisonError::into_inner)
+        lock(&self.asking)
     }
 
     /// Shows what was just checked, or why nothing could be, beside what was checked before.
@@ -91,7 +92,7 @@ impl Page {
             progress: Some(&progress),
             error: error.as_deref(),
         };
-        *self.text.lock().unwrap_or_else(PoisonError::into_inner) = page.html();
+        *lock(&self.text) = page.html();
     }
 }
 

@@ -16,6 +16,20 @@ impl<S: Shape> List<S> {
     pub fn new(shapes: Vec<S>) -> Self {
         Self { shapes }
     }
+
+    /// The nearest hit of all; the interval ends at it, for what is searched next.
+    pub(super) fn closest_before(
+        &self,
+        ray: &Ray,
+        within: &mut Interval,
+        count: &mut impl Count,
+    ) -> Option<(&S, Hit)> {
+        let closest = self.closest_counted(ray, *within, count);
+        if let Some((_, hit)) = closest {
+            *within = within.before(hit.t);
+        }
+        closest
+    }
 }
 
 impl<S: Shape> Accel<S> for List<S> {

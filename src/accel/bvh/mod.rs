@@ -112,10 +112,7 @@ impl<S: Shape> Accel<S> for Bvh<S> {
         mut within: Interval,
         count: &mut impl Count,
     ) -> Option<(&S, Hit)> {
-        let mut closest = self.unbounded.closest_counted(ray, within, count);
-        if let Some((_, hit)) = closest {
-            within = within.before(hit.t);
-        }
+        let mut closest = self.unbounded.closest_before(ray, &mut within, count);
         let Some(root) = self.root else {
             return closest;
         };

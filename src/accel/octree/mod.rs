@@ -88,10 +88,7 @@ impl<S: Shape> Accel<S> for Octree<S> {
         mut within: Interval,
         count: &mut impl Count,
     ) -> Option<(&S, Hit)> {
-        let mut closest = self.unbounded.closest_counted(ray, within, count);
-        if let Some((_, hit)) = closest {
-            within = within.before(hit.t);
-        }
+        let mut closest = self.unbounded.closest_before(ray, &mut within, count);
         let (hit_by_ray, mut walk) = (S::hit_by(ray), Walk::new(&self.tree, ray, within));
         while let Some(leaf) = walk.next_leaf(within.max, count) {
             for &i in self.tree.shapes_in(leaf) {

@@ -110,10 +110,7 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         mut within: Interval,
         count: &mut impl Count,
     ) -> Option<(&S, Hit)> {
-        let mut closest = self.unbounded.closest_counted(ray, within, count);
-        if let Some((_, hit)) = closest {
-            within = within.before(hit.t);
-        }
+        let mut closest = self.unbounded.closest_before(ray, &mut within, count);
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();

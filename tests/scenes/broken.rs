@@ -82,7 +82,7 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     ),
     (
         "[shapes]\n",
-        "4:1: a shape begins with [[shapes]], in two brackets",
+        "4:1: a shape begins with [[shapes]]: `shapes` must be a list of tables",
     ),
     (
         "[[shapes]]\nkind = \"sphere\"\n",
@@ -94,7 +94,7 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     ),
     (
         "[materials]\ngold = { kind = \"metal\", metal = \"gold\" }\n[[shapes]]\nkind = \"sphere\"\nmaterial = \"gild\"\n",
-        "8:12: there is no material `gild`: there are `gold`; did you mean `gold`?",
+        "8:12: there is no material `gild`; did you mean `gold`?",
     ),
     (
         "[[shapes]]\nkind = \"teapot\"\nmaterial = \"gold\"\n",

@@ -5,11 +5,11 @@ mod drawn;
 mod fuzz;
 
 use raybook_scenes::Shot;
-use raybook_scenes::wrong::SceneError;
+use raybook_scenes::wrong::TextError;
 use std::path::Path;
 
 /// The scene of a text; meshes and pictures would be in the gallery.
-fn parse(text: &str) -> Result<Shot, SceneError> {
+fn parse(text: &str) -> Result<Shot, TextError> {
     let path = raybook_common::project("chapters/scenes/gallery").join("test.toml");
     raybook_scenes::parse(&path, text, None)
 }

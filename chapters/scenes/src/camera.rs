@@ -1,7 +1,7 @@
 //! The camera.
 
 use crate::fields::Fields;
-use crate::wrong::SceneError;
+use crate::wrong::TextError;
 use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::aperture::Aperture;
@@ -11,7 +11,7 @@ use raybook::camera::pose::Pose;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::math::domain::LARGEST;
 
-pub(crate) fn camera(fields: Fields, aspect: f32) -> Result<Box<dyn Camera>, SceneError> {
+pub(crate) fn camera(fields: Fields, aspect: f32) -> Result<Box<dyn Camera>, TextError> {
     let from = fields.place("from_m")?;
     let (from, to) = (fields.need("from_m", from)?, fields.place("to_m")?);
     let to = fields.need("to_m", to)?;
@@ -31,7 +31,7 @@ pub(crate) fn camera(fields: Fields, aspect: f32) -> Result<Box<dyn Camera>, Sce
 }
 
 /// The focal length of the view, in metres.
-fn view(fields: &Fields, kind: Option<&str>) -> Result<f32, SceneError> {
+fn view(fields: &Fields, kind: Option<&str>) -> Result<f32, TextError> {
     if kind == Some("panorama") {
         return Ok(1.0);
     }
@@ -49,7 +49,7 @@ fn view(fields: &Fields, kind: Option<&str>) -> Result<f32, SceneError> {
 }
 
 /// A pin-hole, or a lens where its diameter or its f-number is given.
-fn lens(fields: &Fields, view: &Pinhole, far: f32) -> Result<Box<dyn Camera>, SceneError> {
+fn lens(fields: &Fields, view: &Pinhole, far: f32) -> Result<Box<dyn Camera>, TextError> {
     let diameter = fields.number("lens_diameter_m", 1e-6..=1e6)?;
     let f_number = fields.number("f_number", 0.1..=1000.0)?;
     if diameter.is_some() && f_number.is_some() {

@@ -1,7 +1,8 @@
-//! A table of a scene file: every field that is read is checked, and a field that nobody reads is an error.
+//! A table of a file that people write in TOML, a scene or a course: every field that is read is checked, and a field that nobody
+//! reads is an error.
 
 use crate::values::{colour, described, number, three, whole};
-use crate::wrong::{SceneError, Source, did_you_mean, listed, shown};
+use crate::wrong::{Source, TextError, did_you_mean, listed, shown};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, domain::LARGEST};
@@ -41,6 +42,11 @@ impl<'a> Fields<'a> {
         self.source
     }
 
+    /// The byte of the text at which the table begins.
+    pub fn start(&self) -> usize {
+        self.start
+    }
+
     /// Gives the table a more special description.
     pub fn named(&mut self, what: impl Into<String>) {
         self.what = what.into();
@@ -62,7 +68,7 @@ impl<'a> Fields<'a> {
     }
 
     /// What is wrong with a field.
-    pub fn wrong(&self, key: &str, message: impl Into<String>) -> SceneError {
+    pub fn wrong(&self, key: &str, message: impl Into<String>) -> TextError {
         let mut all = self.table.iter();
         let value = all.find(|(name, _)| name.get_ref() == key);
         let at = value.map_or(self.start, |(_, value)| value.span().start);
@@ -73,19 +79,23 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If it is missing.
-    pub fn need<T>(&self, key: &str, found: Option<T>) -> Result<T, SceneError> {
+    pub fn need<T>(&self, key: &str, found: Option<T>) -> Result<T, TextError> {
         found.ok_or_else(|| {
             let message = format!("{} needs {}", self.what, shown(key));
             self.source.wrong(self.start, message)
         })
     }
 
-    fn get<T>(
+    /// A value that is read by a function; where that returns `None`, the error says what was expected.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn get<T>(
         &self,
         key: &'static str,
         expected: &str,
-        read: impl Fn(&DeValue) -> Option<T>,
-    ) -> Result<Option<T>, SceneError> {
+        read: impl Fn(&'a DeValue<'a>) -> Option<T>,
+    ) -> Result<Option<T>, TextError> {
         let Some(value) = self.value(key) else {
             return Ok(None);
         };
@@ -105,7 +115,24 @@ impl<'a> Fields<'a> {
         &self,
         key: &'static str,
         within: RangeInclusive<f32>,
-    ) -> Result<Option<f32>, SceneError> {
+    ) -> Result<Option<f32>, TextError> {
+        let expected = format!("a number from {} to {}", within.start(), within.end());
+        self.get(key, &expected, |value| {
+            number(value)
+                .map(|v| v as f32)
+                .filter(|v| within.contains(v))
+        })
+    }
+
+    /// As [`Fields::number`], in twice the precision.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn precise(
+        &self,
+        key: &'static str,
+        within: &RangeInclusive<f64>,
+    ) -> Result<Option<f64>, TextError> {
         let expected = format!("a number from {} to {}", within.start(), within.end());
         self.get(key, &expected, |value| {
             number(value).filter(|v| within.contains(v))
@@ -120,7 +147,7 @@ impl<'a> Fields<'a> {
         &self,
         key: &'static str,
         within: RangeInclusive<u64>,
-    ) -> Result<Option<u64>, SceneError> {
+    ) -> Result<Option<u64>, TextError> {
         let expected = format!("a whole number from {} to {}", within.start(), within.end());
         let read = |value: &DeValue| whole(value)?.try_into().ok().filter(|v| within.contains(v));
         self.get(key, &expected, read)
@@ -130,7 +157,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else, or it is outside the domain.
-    pub fn place(&self, key: &'static str) -> Result<Option<Vec3>, SceneError> {
+    pub fn place(&self, key: &'static str) -> Result<Option<Vec3>, TextError> {
         let expected = format!("three numbers, [x, y, z], from -{LARGEST:e} to {LARGEST:e}");
         let near = |v: &Vec3| v.abs().cmple(Vec3::splat(LARGEST)).all();
         self.get(key, &expected, |value| three(value).filter(near))
@@ -140,7 +167,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else, or it is zero.
-    pub fn direction(&self, key: &'static str) -> Result<Option<Dir3>, SceneError> {
+    pub fn direction(&self, key: &'static str) -> Result<Option<Dir3>, TextError> {
         let expected = "three numbers, [x, y, z], that are not all 0";
         self.get(key, expected, |value| Dir3::new(three(value)?))
     }
@@ -149,7 +176,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else.
-    pub fn share(&self, key: &'static str) -> Result<Option<Rgb>, SceneError> {
+    pub fn share(&self, key: &'static str) -> Result<Option<Rgb>, TextError> {
         self.get(
             key,
             "a number from 0 to 1, or three, [red, green, blue]",
@@ -161,7 +188,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else.
-    pub fn light(&self, key: &'static str) -> Result<Option<Rgb>, SceneError> {
+    pub fn light(&self, key: &'static str) -> Result<Option<Rgb>, TextError> {
         let expected = format!("a number from 0 to {BRIGHTEST:e}, or three, [red, green, blue]");
         self.get(key, &expected, |value| colour(value, BRIGHTEST))
     }
@@ -170,31 +197,16 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else.
-    pub fn yes(&self, key: &'static str) -> Result<Option<bool>, SceneError> {
-        let yes = |value: &DeValue| match value {
-            DeValue::Boolean(yes) => Some(*yes),
-            _ => None,
-        };
-        self.get(key, "true or false", yes)
+    pub fn yes(&self, key: &'static str) -> Result<Option<bool>, TextError> {
+        self.get(key, "true or false", DeValue::as_bool)
     }
 
     /// A text.
     ///
     /// # Errors
     /// If there is something else.
-    pub fn text(&self, key: &'static str) -> Result<Option<&'a str>, SceneError> {
-        let Some(value) = self.value(key) else {
-            return Ok(None);
-        };
-        let text = value.get_ref().as_str();
-        text.map(Some).ok_or_else(|| {
-            let found = described(value.get_ref());
-            let message = format!(
-                "{} must be a text in quotes, and this is {found}",
-                shown(key)
-            );
-            self.source.wrong(value.span().start, message)
-        })
+    pub fn text(&self, key: &'static str) -> Result<Option<&'a str>, TextError> {
+        self.get(key, "a text in quotes", DeValue::as_str)
     }
 
     /// One of some words.
@@ -205,7 +217,7 @@ impl<'a> Fields<'a> {
         &self,
         key: &'static str,
         words: &[&'static str],
-    ) -> Result<Option<&'static str>, SceneError> {
+    ) -> Result<Option<&'static str>, TextError> {
         let Some(text) = self.text(key)? else {
             return Ok(None);
         };
@@ -222,7 +234,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else.
-    pub fn table(&self, key: &'static str, what: &str) -> Result<Option<Self>, SceneError> {
+    pub fn table(&self, key: &'static str, what: &str) -> Result<Option<Self>, TextError> {
         self.value(key)
             .map(|value| self.of(value, key, what))
             .transpose()
@@ -232,12 +244,15 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// If there is something else.
-    pub fn tables(&self, key: &'static str, what: &str) -> Result<Vec<Self>, SceneError> {
+    pub fn tables(&self, key: &'static str, what: &str) -> Result<Vec<Self>, TextError> {
         let Some(value) = self.value(key) else {
             return Ok(Vec::new());
         };
         let Some(list) = value.get_ref().as_array() else {
-            let message = format!("{what} begins with [[{key}]], in two brackets");
+            let message = format!(
+                "{what} begins with [[{key}]]: {} must be a list of tables",
+                shown(key)
+            );
             return Err(self.source.wrong(value.span().start, message));
         };
         list.iter().map(|value| self.of(value, key, what)).collect()
@@ -252,7 +267,7 @@ impl<'a> Fields<'a> {
         value: &'a Spanned<DeValue<'a>>,
         key: &str,
         what: &str,
-    ) -> Result<Self, SceneError> {
+    ) -> Result<Self, TextError> {
         let start = value.span().start;
         let Some(table) = value.get_ref().as_table() else {
             let found = described(value.get_ref());
@@ -266,7 +281,7 @@ impl<'a> Fields<'a> {
     ///
     /// # Errors
     /// The first field that was not read.
-    pub fn finish(self) -> Result<(), SceneError> {
+    pub fn finish(self) -> Result<(), TextError> {
         let asked = self.asked.borrow();
         let unknown = |name: &&Spanned<_>| {
             let name: &std::borrow::Cow<str> = name.get_ref();

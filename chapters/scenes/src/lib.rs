@@ -7,7 +7,7 @@ pub mod lights;
 pub mod materials;
 pub mod rendering;
 pub mod shapes;
-mod values;
+pub mod values;
 pub mod wrong;
 
 use fields::Fields;
@@ -20,8 +20,7 @@ use rendering::{Picture, Rendering};
 use std::fmt;
 use std::io;
 use std::path::Path;
-use toml::de::DeTable;
-use wrong::{SceneError, Source};
+use wrong::{Source, TextError};
 
 /// The longest scene file, in bytes; meshes and pictures have files of their own.
 pub const LONGEST: usize = 1 << 24;
@@ -65,7 +64,7 @@ impl Shot {
 ///
 /// # Errors
 /// If a file cannot be read, or is wrong; where and why.
-pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, SceneError> {
+pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, TextError> {
     let text = store::read_text(path)?;
     if text.len() > LONGEST {
         let reason = format!("it has more than {LONGEST} bytes; keep meshes in files of their own");
@@ -79,13 +78,9 @@ pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, SceneError> {
 ///
 /// # Errors
 /// Those of [`load`].
-pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, SceneError> {
+pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, TextError> {
     let source = Source { path, text };
-    let table = DeTable::parse(text).map_err(|error| {
-        let at = error.span().map_or(0, |span| span.start);
-        let message = error.message().trim_end().replace('\n', "; ");
-        source.wrong(at, format!("this is not valid TOML: {message}"))
-    })?;
+    let table = source.parse()?;
     let fields = Fields::new(source, "a scene", 0, table.get_ref());
     let mut picture = rendering::picture(fields.table("picture", "the picture")?)?;
     if let Some(width) = width {

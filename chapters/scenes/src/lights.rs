@@ -1,7 +1,7 @@
 //! Lights, and what is around the scene.
 
 use crate::fields::Fields;
-use crate::wrong::SceneError;
+use crate::wrong::TextError;
 use glam::Vec3;
 use raybook::image::{Image, file, mip::MipMap, rgb::Rgb};
 use raybook::light::Light;
@@ -17,11 +17,11 @@ use raybook::scene::backdrop::panorama;
 use raybook::scene::world::Scene;
 use raybook::shape::sphere::Sphere;
 
-pub(crate) fn lights(all: Vec<Fields>) -> Result<Vec<Box<dyn Light>>, SceneError> {
+pub(crate) fn lights(all: Vec<Fields>) -> Result<Vec<Box<dyn Light>>, TextError> {
     all.into_iter().map(light).collect()
 }
 
-fn light(mut fields: Fields) -> Result<Box<dyn Light>, SceneError> {
+fn light(mut fields: Fields) -> Result<Box<dyn Light>, TextError> {
     let kinds = ["rectangle", "sphere", "point", "directional"];
     let kind = fields.choice("kind", &kinds)?;
     let kind = fields.need("kind", kind)?;
@@ -57,7 +57,7 @@ fn light(mut fields: Fields) -> Result<Box<dyn Light>, SceneError> {
 }
 
 /// Whether two edges are at right angles, and none of them is zero.
-pub(crate) fn square(fields: &Fields, a: Vec3, b: Vec3) -> Result<(), SceneError> {
+pub(crate) fn square(fields: &Fields, a: Vec3, b: Vec3) -> Result<(), TextError> {
     /// The cosine that rounding may leave.
     const CROOKED: f32 = 1e-3;
     let (long, wide) = (a.length(), b.length());
@@ -73,7 +73,7 @@ pub(crate) fn square(fields: &Fields, a: Vec3, b: Vec3) -> Result<(), SceneError
 }
 
 /// Ambient light, the environment and the backdrop.
-pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), SceneError> {
+pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), TextError> {
     scene.ambient = fields.light("ambient")?.unwrap_or(Rgb::BLACK);
     if let Some(environment) = fields.table("environment", "the environment")? {
         let scale = environment.light("scale")?.unwrap_or(Rgb::WHITE);
@@ -100,7 +100,7 @@ pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), Sce
 }
 
 /// The picture that the field `file` names.
-pub(crate) fn picture(fields: &Fields) -> Result<Image, SceneError> {
+pub(crate) fn picture(fields: &Fields) -> Result<Image, TextError> {
     let name = fields.text("file")?;
     let name = fields.need("file", name)?;
     file::load(&fields.source().beside(name))

@@ -3,7 +3,7 @@
 use crate::fields::Fields;
 use crate::lights::picture;
 use crate::values::colour;
-use crate::wrong::{SceneError, did_you_mean, listed, shown};
+use crate::wrong::{TextError, no_such, shown};
 use raybook::image::{mip::MipMap, rgb::Rgb};
 use raybook::material::Material;
 use raybook::material::conductor::{Conductor, Metal};
@@ -33,7 +33,7 @@ impl std::fmt::Debug for Materials {
 }
 
 impl Materials {
-    pub(crate) fn of(fields: Option<Fields>) -> Result<Self, SceneError> {
+    pub(crate) fn of(fields: Option<Fields>) -> Result<Self, TextError> {
         let mut named = BTreeMap::new();
         if let Some(fields) = fields {
             for (name, value) in fields.all() {
@@ -45,7 +45,7 @@ impl Materials {
     }
 
     /// The material that the field `material` of a shape names or describes.
-    pub(crate) fn get(&self, shape: &Fields) -> Result<Option<Arc<dyn Material>>, SceneError> {
+    pub(crate) fn get(&self, shape: &Fields) -> Result<Option<Arc<dyn Material>>, TextError> {
         let Some(value) = shape.value("material") else {
             return Ok(None);
         };
@@ -57,14 +57,12 @@ impl Materials {
             return Ok(None);
         };
         self.named.get(name).cloned().map(Some).ok_or_else(|| {
-            let names = || self.named.keys().map(String::as_str);
-            let hint = did_you_mean(name, names());
-            let known = if self.named.is_empty() {
-                "none is described; write [materials.NAME]".to_owned()
+            let message = if self.named.is_empty() {
+                let name = shown(name);
+                format!("there is no material {name}: none is described; write [materials.NAME]")
             } else {
-                format!("there are {}", listed(names()))
+                no_such("material", name, self.named.keys().map(String::as_str))
             };
-            let message = format!("there is no material {}: {known}{hint}", shown(name));
             shape.wrong("material", message)
         })
     }
@@ -77,7 +75,7 @@ const METALS: [(&str, Metal); 4] = [
     ("aluminium", Metal::ALUMINIUM),
 ];
 
-fn material(mut fields: Fields) -> Result<Arc<dyn Material>, SceneError> {
+fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
     let kinds = [
         "matte", "plastic", "phong", "metal", "mirror", "glass", "glowing",
     ];
@@ -142,7 +140,7 @@ enum Paint {
 }
 
 /// A colour, a picture or squares of two colours, in the field `colour`.
-fn paint(fields: &Fields) -> Result<Paint, SceneError> {
+fn paint(fields: &Fields) -> Result<Paint, TextError> {
     let value = fields.value("colour");
     let value = fields.need("colour", value)?;
     if !value.get_ref().is_table() {

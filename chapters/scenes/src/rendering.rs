@@ -1,7 +1,7 @@
 //! The picture's size, its samples, and how light is followed.
 
 use crate::fields::Fields;
-use crate::wrong::SceneError;
+use crate::wrong::TextError;
 use raybook::image::{Image, tone};
 use raybook::render::adaptive::Limits;
 use raybook::render::clamped::Clamped;
@@ -60,7 +60,7 @@ impl Picture {
     }
 }
 
-pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, SceneError> {
+pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
     let usual = Picture {
         width: 640,
         height: 480,
@@ -106,7 +106,7 @@ impl fmt::Debug for Rendering {
     }
 }
 
-pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, SceneError> {
+pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, TextError> {
     let integrator = scene.table("integrator", "the integrator")?;
     let sampler = scene.table("sampler", "the sampler")?;
     Ok(Rendering {
@@ -124,7 +124,7 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, SceneError> {
 /// The largest `depth` of a scene file, in surfaces along one path: between two mirrors a path would never end.
 const DEEPEST: u64 = 1000;
 
-fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
+fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, TextError> {
     let kind = fields.choice("kind", &["path", "whitted"])?;
     let kind = fields.need("kind", kind)?;
     fields.named(format!("an integrator of the kind `{kind}`"));
@@ -162,7 +162,7 @@ fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, SceneError> {
     Ok(integrator)
 }
 
-fn sampler(mut fields: Fields) -> Result<Sampler<'static>, SceneError> {
+fn sampler(mut fields: Fields) -> Result<Sampler<'static>, TextError> {
     let mut kinds = vec!["even", "refined", "adaptive", "budget"];
     kinds.extend(PATTERNS.iter().map(|pattern| pattern.name));
     let kind = fields.choice("kind", &kinds)?;

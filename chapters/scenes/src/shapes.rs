@@ -3,7 +3,7 @@
 use crate::fields::Fields;
 use crate::lights::square;
 use crate::materials::Materials;
-use crate::wrong::SceneError;
+use crate::wrong::TextError;
 use glam::{EulerRot, Mat3, Vec2, Vec3};
 use raybook::accel::{Meshed, wide_bvh::WideBvh};
 use raybook::image::tone;
@@ -16,7 +16,7 @@ use raybook::shape::normal_map::NormalMap;
 use raybook::shape::{Shape, instance::Instance, mesh_file, plane::Plane, sphere::Sphere, teapot};
 use std::sync::Arc;
 
-pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thing>, SceneError> {
+pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thing>, TextError> {
     let mut things = Vec::new();
     for fields in all {
         let (made, placing) = made(fields, materials)?;
@@ -30,7 +30,7 @@ pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thin
 }
 
 /// The things of a table, before they are placed.
-fn made(mut fields: Fields, materials: &Materials) -> Result<(Vec<Thing>, Placing), SceneError> {
+fn made(mut fields: Fields, materials: &Materials) -> Result<(Vec<Thing>, Placing), TextError> {
     let kinds = ["sphere", "plane", "box", "rectangle", "teapot", "mesh"];
     let kind = fields.choice("kind", &kinds)?;
     let kind = fields.need("kind", kind)?;
@@ -50,7 +50,7 @@ fn made(mut fields: Fields, materials: &Materials) -> Result<(Vec<Thing>, Placin
     Ok((things, placing))
 }
 
-fn shape(fields: &Fields, kind: &str) -> Result<Arc<dyn Shape>, SceneError> {
+fn shape(fields: &Fields, kind: &str) -> Result<Arc<dyn Shape>, TextError> {
     let place = |key: &'static str| fields.need(key, fields.place(key)?);
     Ok(match kind {
         "sphere" => {
@@ -84,7 +84,7 @@ fn meshed(mesh: Mesh) -> Arc<dyn Shape> {
 }
 
 /// Two triangles; texture coordinates go from 0 to 1 along both edges.
-fn rectangle(fields: &Fields, corner: Vec3, a: Vec3, b: Vec3) -> Result<Mesh, SceneError> {
+fn rectangle(fields: &Fields, corner: Vec3, a: Vec3, b: Vec3) -> Result<Mesh, TextError> {
     let corners = vec![corner, corner + a, corner + a + b, corner + b];
     let textures = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2], [0, 2, 3]], None, Some(textures));
@@ -93,7 +93,7 @@ fn rectangle(fields: &Fields, corner: Vec3, a: Vec3, b: Vec3) -> Result<Mesh, Sc
 }
 
 /// The mesh with flat or smooth facets, and with the bumps of a normal map.
-fn look(fields: &Fields, mesh: Mesh) -> Result<Mesh, SceneError> {
+fn look(fields: &Fields, mesh: Mesh) -> Result<Mesh, TextError> {
     let mesh = match fields.choice("facets", &["flat", "smooth", "as they are"])? {
         Some("flat") => mesh.flat(),
         Some("smooth") => mesh.smooth(),
@@ -117,7 +117,7 @@ struct Placing {
 }
 
 impl Placing {
-    fn of(fields: &Fields) -> Result<Self, SceneError> {
+    fn of(fields: &Fields) -> Result<Self, TextError> {
         Ok(Self {
             scale: fields.number("scale", 1e-6..=1e6)?.unwrap_or(1.0),
             turn: fields.place("turn_degrees")?.unwrap_or(Vec3::ZERO),

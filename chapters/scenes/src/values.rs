@@ -1,4 +1,4 @@
-//! What the values of a scene file mean: numbers, vectors, colours.
+//! What values mean: numbers, vectors, colours.
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
@@ -27,9 +27,9 @@ pub(crate) fn described(value: &DeValue) -> String {
 }
 
 /// A number, whole or not.
-pub(crate) fn number(value: &DeValue) -> Option<f32> {
+pub fn number(value: &DeValue) -> Option<f64> {
     match value {
-        DeValue::Integer(_) => whole(value).map(|v| v as f32),
+        DeValue::Integer(_) => whole(value).map(|v| v as f64),
         DeValue::Float(float) => float.as_str().replace('_', "").parse().ok(),
         _ => None,
     }
@@ -44,14 +44,17 @@ pub(crate) fn whole(value: &DeValue) -> Option<i64> {
 /// Three finite numbers.
 pub(crate) fn three(value: &DeValue) -> Option<Vec3> {
     let list = value.as_array()?;
-    let mut numbers = list.iter().map(|value| number(value.get_ref()));
+    let mut numbers = list
+        .iter()
+        .map(|value| Some(number(value.get_ref())? as f32));
     let v = vec3(numbers.next()??, numbers.next()??, numbers.next()??);
     (list.len() == 3 && v.is_finite()).then_some(v)
 }
 
 /// A colour, in each channel from 0 to `most`.
 pub(crate) fn colour(value: &DeValue, most: f32) -> Option<Rgb> {
-    let v = number(value).map(Vec3::splat).or_else(|| three(value))?;
+    let gray = number(value).map(|v| Vec3::splat(v as f32));
+    let v = gray.or_else(|| three(value))?;
     let within = v.cmpge(Vec3::ZERO).all() && v.cmple(Vec3::splat(most)).all();
     within.then(|| Rgb::new(v.x, v.y, v.z))
 }

@@ -2,13 +2,14 @@
 
 use super::course::Course;
 use super::files::{self, Files, FilesError, packed};
-use super::settings::{Source, Table};
 use super::similar::Prints;
 use super::tokens::tokens;
 use super::{similar, taken};
 use crate::fingerprint;
 use crate::language::Language;
 use crate::starter;
+use raybook_scenes::fields::Fields;
+use raybook_scenes::wrong::Source;
 use std::collections::{BTreeMap, BTreeSet};
 use std::fs;
 use std::io;
@@ -159,14 +160,12 @@ pub fn files(path: &Path, course: &Course) -> Result<(Language, Files, Vec<Strin
 fn language(files: &Files) -> Result<Language, String> {
     let named = files.get("raybook.toml").and_then(|text| {
         let source = Source {
-            file: Path::new("raybook.toml"),
+            path: Path::new("raybook.toml"),
             text: std::str::from_utf8(text).ok()?,
         };
         let parsed = source.parse().ok()?;
-        let word = Table::new(source, parsed.get_ref())
-            .text("language")
-            .ok()??;
-        Language::find(word.value)
+        let fields = Fields::new(source, "a workbook", 0, parsed.get_ref());
+        Language::find(fields.text("language").ok()??)
     });
     if let Some(language) = named {
         return Ok(language);

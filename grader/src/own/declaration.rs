@@ -1,7 +1,8 @@
 //! What an exercise asks and what it is answered, as its file says it.
 
 use super::draw::Range;
-use crate::class::settings::{Placed, SettingsError, Source, Table};
+use raybook_scenes::fields::Fields;
+use raybook_scenes::wrong::{Source, TextError};
 use raybook_workbook::exercise::Asked;
 use raybook_workbook::kind::{Field, Kind, Parts, Record, VECTOR};
 use std::path::Path;
@@ -34,13 +35,13 @@ impl Declaration {
     /// # Errors
     /// What is wrong in the file, with its line and column.
     pub fn read(file: &Path, text: &str) -> Result<Self, String> {
-        let source = Source { file, text };
+        let source = Source { path: file, text };
         of(source).map_err(|error| error.to_string())
     }
 }
 
-fn of(source: Source<'_>) -> Result<Declaration, SettingsError> {
-    let stem = source.file.file_stem().and_then(|stem| stem.to_str());
+fn of(source: Source<'_>) -> Result<Declaration, TextError> {
+    let stem = source.path.file_stem().and_then(|stem| stem.to_str());
     let is_name = |stem: &&str| {
         let mut letters = stem.bytes();
         letters
@@ -50,27 +51,26 @@ fn of(source: Source<'_>) -> Result<Declaration, SettingsError> {
     };
     let Some(name) = stem.filter(is_name) else {
         let what = "an exercise is called like its file, in small letters, digits and underscores: lens_power.toml";
-        return Err(source.error(&(0..0), what));
+        return Err(source.wrong(0, what));
     };
     let parsed = source.parse()?;
-    let top = Table::new(source, parsed.get_ref());
-    let whole = 0..0;
-    let task = text(source, &top, "task", &whole)?;
+    let top = Fields::new(source, "an exercise", 0, parsed.get_ref());
+    let task = text(&top, "task")?;
     let mut fields = Vec::new();
     let mut ranges = Vec::new();
-    for Placed { value: table, at } in top.tables("question")? {
-        fields.push(field(source, &table, &at)?);
-        ranges.push(range(source, &table, &at)?);
+    for table in top.tables("question", "a field of the question")? {
+        fields.push(field(&table)?);
+        ranges.push(range(&table)?);
         table.finish()?;
     }
     if fields.is_empty() {
         let what = "what is asked? A [[question]] with `name`, `kind` and `meaning` is a field of the question";
-        return Err(source.error(&whole, what));
+        return Err(source.wrong(0, what));
     }
-    let Some(answer) = top.table("answer")? else {
+    let Some(answer) = top.table("answer", "the answer")? else {
         let what =
             "what is answered? An [answer] with `name`, `kind` and `meaning` must stand here";
-        return Err(source.error(&whole, what));
+        return Err(source.wrong(0, what));
     };
     let asked = Asked {
         name: keep(name),
@@ -80,7 +80,7 @@ fn of(source: Source<'_>) -> Result<Declaration, SettingsError> {
             name: keep(name),
             fields: fields.leak(),
         }))))),
-        answer: field(source, &answer, &whole)?,
+        answer: field(&answer)?,
         // The program is asked instead.
         call: |_| Vec::new(),
     };
@@ -90,24 +90,18 @@ fn of(source: Source<'_>) -> Result<Declaration, SettingsError> {
         ranges: ranges.leak(),
         tolerance: top
             .number("tolerance", 0.0..=1.0)?
-            .map_or(crate::judge::RELATIVE, |share| share as f32),
+            .unwrap_or(crate::judge::RELATIVE),
         judges: top.yes("judge")?.unwrap_or(false),
     };
     top.finish()?;
     Ok(declaration)
 }
 
-fn field(
-    source: Source<'_>,
-    table: &Table<'_>,
-    at: &std::ops::Range<usize>,
-) -> Result<Field, SettingsError> {
-    let name = text(source, table, "name", at)?;
-    let meaning = text(source, table, "meaning", at)?;
-    let Some(word) = table.text("kind")? else {
-        return Err(source.error(at, KINDS));
-    };
-    let kind = kind(word.value).ok_or_else(|| source.error(&word.at, KINDS))?;
+fn field(table: &Fields<'_>) -> Result<Field, TextError> {
+    let name = text(table, "name")?;
+    let meaning = text(table, "meaning")?;
+    let kind = table.text("kind")?.and_then(kind);
+    let kind = kind.ok_or_else(|| table.wrong("kind", KINDS))?;
     Ok(Field {
         name,
         kind: Box::leak(Box::new(kind)),
@@ -116,16 +110,9 @@ fn field(
 }
 
 /// A text that must be there.
-fn text(
-    source: Source<'_>,
-    table: &Table<'_>,
-    name: &'static str,
-    at: &std::ops::Range<usize>,
-) -> Result<&'static str, SettingsError> {
-    let found = table.text(name)?;
-    found
-        .map(|placed| keep(placed.value))
-        .ok_or_else(|| source.error(at, format!("`{name} = \"…\"` must stand here")))
+fn text(table: &Fields<'_>, name: &'static str) -> Result<&'static str, TextError> {
+    let found = table.text(name)?.map(keep);
+    found.ok_or_else(|| table.wrong(name, format!("`{name} = \"…\"` must stand here")))
 }
 
 fn kind(words: &str) -> Option<Kind> {
@@ -151,19 +138,13 @@ fn plain(word: &str) -> Option<Kind> {
 }
 
 /// The numbers that hidden questions are drawn from: 0 to 1, if nothing is said.
-fn range(
-    source: Source<'_>,
-    table: &Table<'_>,
-    at: &std::ops::Range<usize>,
-) -> Result<Range, SettingsError> {
+fn range(table: &Fields<'_>) -> Result<Range, TextError> {
     const FINITE: std::ops::RangeInclusive<f64> = -1e9..=1e9;
-    let from = table.number("from", FINITE)?.unwrap_or(0.0);
-    let to = table.number("to", FINITE)?.unwrap_or(1.0);
+    let from = table.precise("from", &FINITE)?.unwrap_or(0.0);
+    let to = table.precise("to", &FINITE)?.unwrap_or(1.0);
     if from > to {
-        return Err(source.error(
-            at,
-            format!("the range goes from {from} to {to}: `from` must not be above `to`"),
-        ));
+        let what = format!("the range goes from {from} to {to}: `from` must not be above `to`");
+        return Err(table.wrong("from", what));
     }
     Ok(Range { from, to })
 }

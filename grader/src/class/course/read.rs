@@ -1,9 +1,11 @@
 //! How a course file is read.
 
 use super::{Allowed, Counted, Course, Late, Own, Plan, Solve};
-use crate::class::settings::{Placed, SettingsError, Source, Table, unknown_name};
+use crate::class::settings::{Word, instant, numbered, words};
 use crate::language::Language;
 use crate::own;
+use raybook_scenes::fields::Fields;
+use raybook_scenes::wrong::{Source, TextError, no_such};
 use raybook_workbook::curriculum::{self, CHAPTERS, Chapter};
 use std::collections::BTreeSet;
 use std::ops::RangeInclusive;
@@ -19,28 +21,28 @@ impl Course {
     ///
     /// # Errors
     /// What is wrong in the file, with its line and column.
-    pub fn read(file: &Path, text: &str) -> Result<Self, SettingsError> {
-        let source = Source { file, text };
+    pub fn read(file: &Path, text: &str) -> Result<Self, TextError> {
+        let source = Source { path: file, text };
         let parsed = source.parse()?;
-        let top = Table::new(source, parsed.get_ref());
-        let points = top.number("points", POINTS)?.unwrap_or(1.0);
-        let mut chapters = chapters(source, &top, points)?;
-        let own = own(source, &top, points, &mut chapters)?;
+        let top = Fields::new(source, "a course", 0, parsed.get_ref());
+        let points = top.precise("points", &POINTS)?.unwrap_or(1.0);
+        let mut chapters = chapters(&top, points)?;
+        let own = own(&top, points, &mut chapters)?;
         let course = Self {
             title: text_of(&top, "title", "Ray tracing")?,
             term: text_of(&top, "term", "")?,
-            languages: languages(source, &top)?,
-            partial: top.number("partial", SHARE)?.unwrap_or(0.5),
-            late: late(top.table("late")?.as_ref())?,
-            solve: solve(top.table("solve")?.as_ref())?,
-            limits: limits(top.table("limits")?.as_ref())?,
+            languages: languages(&top)?,
+            partial: top.precise("partial", &SHARE)?.unwrap_or(0.5),
+            late: late(top.table("late", "[late]")?)?,
+            solve: solve(top.table("solve", "[solve]")?)?,
+            limits: limits(top.table("limits", "[limits]")?)?,
             chapters,
             own,
         };
         top.finish()?;
         if course.chapters.is_empty() {
             let what = "nothing is graded: a [[chapter]] with `chapter = \"ch01\"` grades the exercises of the first";
-            return Err(source.error(&(0..0), what));
+            return Err(source.wrong(0, what));
         }
         Ok(course)
     }
@@ -51,70 +53,65 @@ impl Solve {
     ///
     /// # Errors
     /// What is wrong in the file, with its line and column.
-    pub fn read(file: &Path, text: &str) -> Result<Self, SettingsError> {
-        let source = Source { file, text };
+    pub fn read(file: &Path, text: &str) -> Result<Self, TextError> {
+        let source = Source { path: file, text };
         let parsed = source.parse()?;
-        let top = Table::new(source, parsed.get_ref());
-        solve(top.table("solve")?.as_ref())
+        let top = Fields::new(source, "a course", 0, parsed.get_ref());
+        solve(top.table("solve", "[solve]")?)
     }
 }
 
-fn text_of(
-    table: &Table<'_>,
-    name: &'static str,
-    otherwise: &str,
-) -> Result<String, SettingsError> {
-    let text = table.text(name)?;
-    Ok(text.map_or(otherwise, |text| text.value).to_owned())
+fn text_of(table: &Fields<'_>, name: &'static str, otherwise: &str) -> Result<String, TextError> {
+    Ok(table.text(name)?.unwrap_or(otherwise).to_owned())
 }
 
-fn languages(source: Source<'_>, top: &Table<'_>) -> Result<Vec<Language>, SettingsError> {
-    let Some(words) = top.words("languages")? else {
+fn languages(top: &Fields<'_>) -> Result<Vec<Language>, TextError> {
+    let Some(words) = words(top, "languages")? else {
         return Ok(Language::ALL.to_vec());
     };
-    let of = |word: Placed<&str>| {
+    let of = |word: Word<'_>| {
         let names = Language::ALL.into_iter().map(Language::name);
-        Language::find(word.value).ok_or_else(|| {
-            let what = unknown_name("language", word.value, names);
-            source.error(&word.at, what)
+        Language::find(word.text).ok_or_else(|| {
+            let what = no_such("language", word.text, names);
+            top.source().wrong(word.at, what)
         })
     };
     words.into_iter().map(of).collect()
 }
 
-fn late(table: Option<&Table<'_>>) -> Result<Late, SettingsError> {
+fn late(table: Option<Fields<'_>>) -> Result<Late, TextError> {
     let mut late = Late {
         grace: 0,
         per_day: 0.0,
         at_most: 1.0,
     };
     if let Some(table) = table {
-        let minutes = table.number("grace_minutes", 0.0..=1e6)?;
+        let minutes = table.precise("grace_minutes", &(0.0..=1e6))?;
         late.grace = (minutes.unwrap_or(0.0) * 60.0) as i64;
-        late.per_day = table.number("per_day", SHARE)?.unwrap_or(late.per_day);
-        late.at_most = table.number("at_most", SHARE)?.unwrap_or(late.at_most);
+        late.per_day = table.precise("per_day", &SHARE)?.unwrap_or(late.per_day);
+        late.at_most = table.precise("at_most", &SHARE)?.unwrap_or(late.at_most);
         table.finish()?;
     }
     Ok(late)
 }
 
-fn solve(table: Option<&Table<'_>>) -> Result<Solve, SettingsError> {
+fn solve(table: Option<Fields<'_>>) -> Result<Solve, TextError> {
     let mut solve = Solve {
         allowed: true,
         costs: 1.0,
     };
     if let Some(table) = table {
         solve.allowed = table.yes("allowed")?.unwrap_or(solve.allowed);
-        solve.costs = table.number("costs", SHARE)?.unwrap_or(solve.costs);
+        solve.costs = table.precise("costs", &SHARE)?.unwrap_or(solve.costs);
         table.finish()?;
     }
     Ok(solve)
 }
 
-fn limits(table: Option<&Table<'_>>) -> Result<Allowed, SettingsError> {
-    let or = |name, range, otherwise| -> Result<f64, SettingsError> {
-        let read = table.map_or(Ok(None), |table| table.number(name, range))?;
-        Ok(read.unwrap_or(otherwise))
+fn limits(table: Option<Fields<'_>>) -> Result<Allowed, TextError> {
+    let or = |name, range, otherwise| -> Result<f64, TextError> {
+        let read = table.as_ref().map(|table| table.precise(name, &range));
+        Ok(read.transpose()?.flatten().unwrap_or(otherwise))
     };
     let limits = Allowed {
         answer: Duration::from_secs_f64(or("answer_seconds", 0.1..=3600.0, 2.0)?),
@@ -123,14 +120,15 @@ fn limits(table: Option<&Table<'_>>) -> Result<Allowed, SettingsError> {
         files: or("files", 1.0..=1e5, 1000.0)? as usize,
         bytes: (or("megabytes", 0.1..=1000.0, 20.0)? * MEBIBYTE) as u64,
     };
-    table.map_or(Ok(()), Table::finish)?;
+    table.map_or(Ok(()), Fields::finish)?;
     Ok(limits)
 }
 
-fn chapters(source: Source<'_>, top: &Table<'_>, points: f64) -> Result<Vec<Plan>, SettingsError> {
+fn chapters(top: &Fields<'_>, points: f64) -> Result<Vec<Plan>, TextError> {
     let mut plans: Vec<Plan> = Vec::new();
-    for Placed { value: table, at } in top.tables("chapter")? {
-        let plan = plan(source, &table, &at, points)?;
+    for table in top.tables("chapter", "a chapter")? {
+        let at = table.start();
+        let plan = plan(table, points)?;
         if plans
             .iter()
             .any(|other| other.chapter.name == plan.chapter.name)
@@ -139,50 +137,39 @@ fn chapters(source: Source<'_>, top: &Table<'_>, points: f64) -> Result<Vec<Plan
                 "{} is graded twice; one [[chapter]] is enough",
                 plan.chapter.name
             );
-            return Err(source.error(&at, what));
+            return Err(top.source().wrong(at, what));
         }
         plans.push(plan);
     }
     Ok(plans)
 }
 
-fn plan(
-    source: Source<'_>,
-    table: &Table<'_>,
-    at: &std::ops::Range<usize>,
-    points: f64,
-) -> Result<Plan, SettingsError> {
+fn plan(table: Fields<'_>, points: f64) -> Result<Plan, TextError> {
     let Some(word) = table.text("chapter")? else {
         let what = "which chapter? `chapter = \"ch01\"`, or its whole name, must stand here";
-        return Err(source.error(at, what));
+        return Err(table.wrong("chapter", what));
     };
-    let chapter = curriculum::called(word.value).ok_or_else(|| {
+    let chapter = curriculum::called(word).ok_or_else(|| {
         let names = CHAPTERS.iter().map(|chapter| chapter.name);
-        source.error(&word.at, unknown_name("chapter", word.value, names))
+        table.wrong("chapter", no_such("chapter", word, names))
     })?;
     let names = chapter.exercises().iter();
     let names: Vec<_> = names.map(|exercise| exercise.name).collect();
-    planned(source, table, chapter, &names, points)
+    planned(table, chapter, &names, points)
 }
 
 /// The tables of the exercises of the instructor's own: a plan for each folder, after those of the chapters.
-fn own(
-    source: Source<'_>,
-    top: &Table<'_>,
-    points: f64,
-    plans: &mut Vec<Plan>,
-) -> Result<Own, SettingsError> {
+fn own(top: &Fields<'_>, points: f64, plans: &mut Vec<Plan>) -> Result<Own, TextError> {
     let mut all = Own::default();
-    for Placed { value: table, at } in top.tables("own")? {
+    for table in top.tables("own", "a folder of your own")? {
         let Some(word) = table.text("folder")? else {
             let what = "in which folder? `folder = \"own\"`, beside this file, must stand here";
-            return Err(source.error(&at, what));
+            return Err(table.wrong("folder", what));
         };
-        let program = table.words("program")?.unwrap_or_default();
-        let program: Vec<_> = program.iter().map(|word| word.value).collect();
-        let beside = source.file.parent().unwrap_or(Path::new(""));
-        let folder = beside.join(word.value);
-        let wrong = |what: String| source.error(&word.at, what);
+        let program = words(&table, "program")?.unwrap_or_default();
+        let program: Vec<_> = program.iter().map(|word| word.text).collect();
+        let folder = top.source().beside(word);
+        let wrong = |what: String| table.wrong("folder", what);
         let exercises = own::read(&folder, &program).map_err(wrong)?;
         let names: Vec<_> = exercises.iter().map(|examiner| examiner.name()).collect();
         let is_there = |name: &&str| all.exercises.iter().any(|other| other.name() == *name);
@@ -206,7 +193,7 @@ fn own(
             title: title.leak(),
             needs: &[],
         }));
-        plans.push(planned(source, &table, chapter, &names, points)?);
+        plans.push(planned(table, chapter, &names, points)?);
         all.exercises.extend(exercises);
         all.folders.push(folder);
     }
@@ -215,29 +202,27 @@ fn own(
 
 /// What a table says of exercises of these names: which count, and how much.
 fn planned(
-    source: Source<'_>,
-    table: &Table<'_>,
+    table: Fields<'_>,
     chapter: &'static Chapter,
     names: &[&'static str],
     points: f64,
-) -> Result<Plan, SettingsError> {
-    let points = table.number("points", POINTS)?.unwrap_or(points);
+) -> Result<Plan, TextError> {
+    let points = table.precise("points", &POINTS)?.unwrap_or(points);
     let mut exercises = Vec::new();
     let mut seen = BTreeSet::new();
     let all = || names.iter().copied();
-    let ordinary = table.numbered("exercises", points, &POINTS)?;
-    let bonus = table.numbered("bonus", points, &POINTS)?;
+    let ordinary = numbered(&table, "exercises", points, &POINTS)?;
+    let bonus = numbered(&table, "bonus", points, &POINTS)?;
     let counted = [(ordinary.clone(), false), (bonus, true)];
     for (names, bonus) in counted {
         for (name, points) in names.into_iter().flatten() {
-            let Some(known) = all().find(|known| *known == name.value) else {
-                let what =
-                    unknown_name(&format!("exercise in {}", chapter.name), name.value, all());
-                return Err(source.error(&name.at, what));
+            let Some(known) = all().find(|known| *known == name.text) else {
+                let what = no_such(&format!("exercise in {}", chapter.name), name.text, all());
+                return Err(table.source().wrong(name.at, what));
             };
             if !seen.insert(known) {
                 let what = format!("{known} counts already");
-                return Err(source.error(&name.at, what));
+                return Err(table.source().wrong(name.at, what));
             }
             exercises.push(Counted {
                 name: known,
@@ -256,8 +241,8 @@ fn planned(
     }
     let plan = Plan {
         chapter,
-        weight: table.number("weight", POINTS)?.unwrap_or(1.0),
-        due: table.instant("due")?,
+        weight: table.precise("weight", &POINTS)?.unwrap_or(1.0),
+        due: instant(&table, "due")?,
         exercises,
     };
     table.finish()?;

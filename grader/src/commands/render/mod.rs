@@ -10,7 +10,7 @@ use raybook_chapters::kit::options::WIDEST;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::stage::progress_bar;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_scenes::{Shot, wrong::SceneError};
+use raybook_scenes::{Shot, wrong::TextError};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::sync::atomic::{AtomicU64, Ordering};
@@ -78,7 +78,7 @@ impl Render {
     }
 
     /// The scene.
-    fn load(&self) -> Result<Shot, SceneError> {
+    fn load(&self) -> Result<Shot, TextError> {
         raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))
     }
 

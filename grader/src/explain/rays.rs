@@ -16,6 +16,7 @@ pub fn parts(ray: &Ray) -> (DVec3, DVec3) {
 pub fn interval(way: &mut Way, within: Interval) -> Interval {
     let min = way.part("within.min", f64::from(within.min));
     let max = way.part("within.max", f64::from(within.max));
+    let max = way.made("to end the search at within.max", f64::INFINITY, max);
     Interval::new(min as f32, max as f32)
 }
 

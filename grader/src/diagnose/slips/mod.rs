@@ -235,9 +235,9 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
         let never = format!("never takes it into account when {name}");
         let always = format!("always goes on as if {name}");
         let other = format!("decides the other way round whether {name}");
-        turned(never, TURNED, |_| false);
-        turned(always, TURNED, |_| true);
-        turned(other, TURNED + 1, |holds| !holds);
+        turned(never, LEFT_OUT, |_| false);
+        turned(always, LEFT_OUT, |_| true);
+        turned(other, LEFT_OUT + 1, |holds| !holds);
         if one.asks == Asks::Several {
             for (rank, what, of) in AMONG {
                 let name = format!("{what} when it decides whether {name}");
@@ -265,7 +265,7 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     }
     for Operation { name, place } in &passed.operations {
         let slip = Slip::Forgotten(*place);
-        all.push((format!("forgets {name}"), FORGOTTEN, 9, slip));
+        all.push((format!("forgets {name}"), FORGOTTEN, LEFT_OUT, slip));
     }
     for Operation { name, place } in &passed.powers {
         for (rank, what, of) in POWERS {
@@ -280,8 +280,8 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
 
-/// The rank of a condition that is not asked: it is simpler than a value that makes it hold or fail.
-const TURNED: u32 = 8;
+/// The rank of a condition that is not asked, and of an operation that is forgotten: they are simpler than a value that does the same.
+const LEFT_OUT: u32 = 8;
 
 /// What leads on from a step that `raybook explain` tells.
 const TOLD: &str = "`raybook explain` shows this step with its right value: print yours beside it.";

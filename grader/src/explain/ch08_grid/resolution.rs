@@ -29,7 +29,7 @@ impl Explained for GridResolution {
             let per_metre = way.number("cells per metre: the root of cells/volume", "1/m", dense);
             let mut along = DVec3::ONE;
             for &axis in &thick {
-                along[axis] = (extents[axis] * per_metre).min(u32::MAX.into());
+                along[axis] = (extents[axis] * per_metre).min(cells.max(1.0));
             }
             let along = way.vector("extent · cells per metre", "", along);
             let before = thick.len();

@@ -50,6 +50,19 @@ fn left_to_a_child(way: &mut Way, copies: f64, [below, n]: [f64; 2]) -> f64 {
     way.part("the copies that are left to a child", copies / fewer)
 }
 
+/// Why a cell stays a leaf, if it does: a cut is too dear, makes too many copies, or is too deep.
+fn stays([is_dear, is_many, is_deep]: [bool; 3]) -> Option<&'static str> {
+    if is_dear {
+        Some("That is not below n: it stays a leaf.")
+    } else if is_many {
+        Some("It would be worth its price, but the limit allows no more copies: it stays a leaf.")
+    } else {
+        is_deep.then_some(
+            "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
+        )
+    }
+}
+
 impl Explained for OctreeBuild {
     fn work(&self, way: &mut Way) -> TreeRow {
         let leaf = |first: usize, count: usize| NodeRow {
@@ -105,20 +118,7 @@ impl Explained for OctreeBuild {
                 self.depth.into(),
                 depth.into(),
             );
-            let stop = if is_dear {
-                Some("That is not below n: it stays a leaf.")
-            } else if is_many {
-                Some(
-                    "It would be worth its price, but the limit allows no more copies: it stays a leaf.",
-                )
-            } else if is_deep {
-                Some(
-                    "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
-                )
-            } else {
-                None
-            };
-            if let Some(why) = stop {
+            if let Some(why) = stays([is_dear, is_many, is_deep]) {
                 way.remark(why);
                 let begin = way.part(
                     "the place where a leaf's names begin",

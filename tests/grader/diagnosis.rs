@@ -1,5 +1,6 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
+mod ends;
 mod flaws;
 mod formulas;
 mod guesses;
@@ -9,6 +10,7 @@ mod operations;
 mod panics;
 mod regimes;
 mod several;
+mod structures;
 mod students;
 mod undone;
 

@@ -162,6 +162,23 @@ fn every_step_matters() {
     assert_eq!(idle, ONLY_TOLD);
 }
 
+#[test]
+fn a_way_with_a_slip_is_given_up_where_it_gets_too_long() {
+    let (explainer, examiner, cases) = &EXPLAINED[0];
+    let question = examiner.asked().read_question(&cases[0].question);
+    let question = question.expect("it is a question");
+    let mut right = Way::default();
+    (explainer.work)(0, &question, &mut right);
+    let right = right.end();
+    let slip = Slip::Value(right.steps[0].place, Change::Each(|v| 2.0 * v));
+    let ends = |most: usize| {
+        let mut way = Way::with(slip).no_longer_than(most);
+        std::panic::catch_unwind(move || (explainer.work)(0, &question.clone(), &mut way)).is_ok()
+    };
+    assert!(ends.clone()(right.length));
+    assert!(!ends(right.length - 1));
+}
+
 /// Steps that tell more than what is calculated with, or that only a mistake calculates with; and of a triangle's hit what a search has no use for.
 const ONLY_TOLD: &[&str] = &[
     "sphere_hit: s = (c − o)·d/(d·d), where the ray is nearest to the centre",
@@ -199,6 +216,7 @@ const ONLY_TOLD: &[&str] = &[
     "spend_budget: pixel 0: its share of the budget, and its number of samples",
     "collapse: its children",
     "collapse: node 2 is its largest branch, and gives way to its children: its area",
+    "collapse: x · y · z, the volume",
     "wide_closest: b₁, returned",
     "wide_closest: b₂, returned",
 ];

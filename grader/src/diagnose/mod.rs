@@ -299,7 +299,9 @@ fn in_cases(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosi
         plain(evidence, readings, share, &mut found);
         let tells = |one: &Found| {
             let often = one.is_own() || 2 * one.score.explained >= evidence.wrong;
-            often && one.score.tells >= 1.0 && 2 * one.score.contradicted <= one.score.explained
+            let speaks =
+                one.score.tells >= 1.0 && 2 * one.score.contradicted <= one.score.explained;
+            often && speaks && one.holds()
         };
         let found = found.into_iter().filter(tells);
         found.max_by_key(|one| {

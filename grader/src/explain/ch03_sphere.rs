@@ -152,11 +152,15 @@ pub fn meets(
 
 /// The first of two distances that counts.
 fn first(way: &mut Way, within: Interval, [near, far]: [f64; 2]) -> Option<f64> {
-    let near_counts = rays::counts(way, within, near);
+    let min = way.part("min", f64::from(within.min));
+    let max = way.part("max", f64::from(within.max));
+    let near_counts = way.is_less("the smaller root is larger than min", min, near)
+        && way.is_less("the smaller root is smaller than max", near, max);
     if way.decides("the smaller root counts", near_counts) {
         return Some(near);
     }
-    let far_counts = rays::counts(way, within, far);
+    let far_counts = way.is_less("the larger root is larger than min", min, far)
+        && way.is_less("the larger root is smaller than max", far, max);
     way.decides("the larger root counts", far_counts)
         .then_some(far)
 }

@@ -33,15 +33,18 @@ fn slab(q: &BoxClip, axis: usize, way: &mut Way, how: Slabs) -> [f64; 2] {
     let low = way.part("the box's least coordinate", f64::from(q.min[axis]));
     let high = way.part("the box's greatest coordinate", f64::from(q.max[axis]));
     if how.asks && way.is_zero("the ray runs along two planes", speed) {
-        let inside = (start - low).min(high - start);
-        return if way.is_at_most("such a ray is between the planes", 0.0, inside) {
-            [f64::NEG_INFINITY, f64::INFINITY]
-        } else {
+        let is_below = way.is_less("such a ray is below the planes", start, low);
+        let is_above = way.is_less("such a ray is above the planes", high, start);
+        return if is_below || is_above {
             [f64::INFINITY, f64::NEG_INFINITY]
+        } else {
+            [f64::NEG_INFINITY, f64::INFINITY]
         };
     }
-    let low = way.part("the least plane, seen from the start", low - start);
-    let high = way.part("the greatest plane, seen from the start", high - start);
+    let from = way.part("the start's coordinate in t of the least plane", start);
+    let low = way.part("the least plane, seen from the start", low - from);
+    let from = way.part("the start's coordinate in t of the greatest plane", start);
+    let high = way.part("the greatest plane, seen from the start", high - from);
     let low = way.part("t of the least plane", low / speed);
     let high = way.part("t of the greatest plane", high / speed);
     if how.sorts {

@@ -101,7 +101,8 @@ impl Explained for RefineCell {
             return answer;
         };
         let (min, last) = (self.min.as_dvec3(), (along - 1).as_dvec3());
-        let extents = way.part("max − min", self.max.as_dvec3() - min);
+        let begin = way.part("min in max − min", min);
+        let extents = way.part("max − min", self.max.as_dvec3() - begin);
         let size = extents / along.as_dvec3();
         let size = way.vector("the extents of a fine cell", "m", size);
         let min = way.part("min", min);
@@ -113,20 +114,25 @@ impl Explained for RefineCell {
             },
         ) in (0..).zip(&self.shapes)
         {
-            let place = |p: DVec3| (p / size).floor();
             let inside = |cell: DVec3| cell.clamp(DVec3::ZERO, last);
             let from_min = way.part("its least corner", low.as_dvec3()) - min;
             let from_min = way.part("its least corner − min", from_min);
             let to_max = way.part("its greatest corner", high.as_dvec3()) - min;
             let to_max = way.part("its greatest corner − min", to_max);
+            let of_first = way.part("cell, where a shape begins", size);
+            let of_last = way.part("cell, where a shape ends", size);
             let first = way.vector(
                 format!(
                     "shape {shape}: (its least corner − min)/cell, rounded down, inside the cell"
                 ),
                 "",
-                inside(place(from_min)),
+                inside((from_min / of_first).floor()),
             );
-            let end = way.vector("the same of its greatest corner", "", place(to_max));
+            let end = way.vector(
+                "the same of its greatest corner",
+                "",
+                (to_max / of_last).floor(),
+            );
             let end = way.made(
                 "to keep a shape's last cell inside the coarse cell",
                 end,
@@ -281,6 +287,7 @@ impl Explained for TwoLevelWalk {
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let levels = self.levels();
         let top = levels.top;
+        let [nx, ny, _] = top.resolution.as_dvec3().to_array();
         let min = way.part("the grid's least corner", self.min.as_dvec3());
         let coarse = through(self, min.as_vec3(), top.cell, top.resolution, self.within);
         way.remark("First through the coarse cells:");
@@ -289,26 +296,32 @@ impl Explained for TwoLevelWalk {
         for visit in &visits {
             let Visit { x, y, z, leave } = visit;
             let name = format!("coarse cell ({x}, {y}, {z})");
-            let fine = levels.fine(visit.cell());
-            let is_empty = way.decides("a coarse cell is empty", fine.is_none());
-            let Some((first, fine)) = fine.filter(|_| !is_empty) else {
+            let along = way.part("the coarse cells along x", nx);
+            let up = way.part("the coarse cells along y", ny);
+            let [x, y, z] = [x, y, z].map(|at| f64::from(*at));
+            let place = way.part("a coarse cell's place in the row", x + along * (y + up * z));
+            let cut = &levels.cuts[place as usize];
+            let resolution = cut.resolution.as_uvec3();
+            if way.decides("a coarse cell is empty", resolution == UVec3::ZERO) {
                 way.remark(format!("The {name} is empty: the ray passes on."));
                 enter = *leave;
                 continue;
-            };
+            }
             let first = way.number(
                 format!("{name}: the place of its first fine cell in the row"),
                 "",
-                first as f64,
+                cut.first.into(),
             );
             // The ray is in the coarse cell from where it left the one before.
             let inside = Interval::new(enter, *leave);
-            let low = way.part("the least corner of a coarse cell", fine.min.as_dvec3());
-            let walk = through(self, low.as_vec3(), fine.cell, fine.resolution, inside);
+            let whole = top.only(visit.cell());
+            let low = way.part("the least corner of a coarse cell", whole.min.as_dvec3());
+            let size = whole.cell / resolution.as_vec3();
+            let walk = through(self, low.as_vec3(), size, resolution, inside);
             for cell in way.silently(|way| walk.work(way)) {
                 let Visit { x, y, z, .. } = cell;
-                let along = way.part("nx", f64::from(fine.resolution.x));
-                let up = way.part("ny", f64::from(fine.resolution.y));
+                let along = way.part("nx", f64::from(resolution.x));
+                let up = way.part("ny", f64::from(resolution.y));
                 let [x_of, y_of, z_of] = [x, y, z].map(f64::from);
                 let index = way.part("x + nx·(y + ny·z)", x_of + along * (y_of + up * z_of));
                 let place = way.number(

@@ -1,12 +1,14 @@
 //! Chapter 24: a binary tree made wide, and the search in a wide tree.
 
 use super::Explained;
-use super::ch11_bvh::{children, drawn};
+use super::ch11_bvh::{area_by_steps, children, drawn};
 use super::diagram::{Diagram, Ink};
 use super::nearest::Nearest;
-use super::tree::{self, Node, area, enters};
+use super::rays;
+use super::tree::{self, Node, enters};
 use super::way::Way;
 use raybook::inside::wide_bvh::CHILDREN;
+use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch24_wide_bvh::{
     Collapse, FamilyRow, WideClosest, WideClosestAnswer,
 };
@@ -15,9 +17,8 @@ fn is_branch(q: &Collapse, node: u32) -> bool {
     q.nodes.get(node as usize).is_some_and(|row| row.count == 0)
 }
 
-fn area_of(q: &Collapse, node: u32) -> f64 {
-    let row = &q.nodes[node as usize];
-    area([row.min, row.max])
+fn area_of(q: &Collapse, way: &mut Way, node: u32) -> f64 {
+    area_by_steps(way, &q.nodes[node as usize])
 }
 
 /// The children of a branch that exist.
@@ -42,11 +43,13 @@ impl Explained for Collapse {
             ));
             while family.len() < CHILDREN {
                 let branches = (0..family.len()).filter(|&i| is_branch(self, family[i]));
-                let of = |i: usize| (i, way.part("a branch's area", area_of(self, family[i])));
-                let areas: Vec<_> = branches.map(of).collect();
+                let of = |way: &mut Way, i: usize| {
+                    let area = area_of(self, way, family[i]);
+                    (i, way.part("a branch's area", area))
+                };
+                let areas: Vec<_> = way.silently(|way| branches.map(|i| of(way, i)).collect());
                 let largest = areas.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
-                let largest = largest.map(|(i, _)| i);
-                let Some(largest) = largest else {
+                let Some((largest, area)) = largest else {
                     way.remark("No branch is left among them.");
                     break;
                 };
@@ -54,7 +57,7 @@ impl Explained for Collapse {
                 way.number(
                     format!("node {gives_way} is its largest branch, and gives way to its children: its area"),
                     "m²",
-                    area_of(self, gives_way),
+                    area,
                 );
                 family.extend(below(self, gives_way));
             }
@@ -90,6 +93,7 @@ impl Explained for Collapse {
 /// A search in a wide tree, while it runs.
 struct Search<'a> {
     q: &'a WideClosest,
+    within: Interval,
     nearest: Nearest,
     opened: Vec<u32>,
     leaves: Vec<u32>,
@@ -110,7 +114,7 @@ impl Search<'_> {
         for child in &row.children[way.rounds("a node's children", row.children.len())] {
             let enter = enters(
                 &q.ray,
-                q.within,
+                self.within,
                 self.nearest.limit(),
                 [child.min, child.max],
             );
@@ -150,7 +154,7 @@ impl Search<'_> {
             let corners = [triangle.p0, triangle.p1, triangle.p2];
             let name = format!("leaf {leaf}: triangle {id}");
             self.nearest
-                .test(way, (&q.ray, q.within), (&name, id), corners);
+                .test(way, (&q.ray, self.within), (&name, id), corners);
         }
     }
 }
@@ -158,6 +162,7 @@ impl Search<'_> {
 fn search<'a>(q: &'a WideClosest, way: &mut Way) -> Search<'a> {
     let mut search = Search {
         q,
+        within: rays::interval(way, q.within),
         nearest: Nearest::default(),
         opened: Vec::new(),
         leaves: Vec::new(),

@@ -12,6 +12,14 @@ pub fn parts(ray: &Ray) -> (DVec3, DVec3) {
     (ray.origin.as_dvec3(), ray.direction.as_dvec3())
 }
 
+/// The interval of distances that count, for a search that hands it on.
+pub fn interval(way: &mut Way, within: Interval) -> Interval {
+    let min = way.part("within.min", f64::from(within.min));
+    let max = way.part("within.max", f64::from(within.max));
+    let max = way.made("to end the search at within.max", f64::INFINITY, max);
+    Interval::new(min as f32, max as f32)
+}
+
 /// Whether a distance counts.
 pub fn counts(way: &mut Way, within: Interval, t: f64) -> bool {
     let min = way.part("min", f64::from(within.min));

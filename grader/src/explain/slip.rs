@@ -119,6 +119,9 @@ impl Comparison {
 /// What is made of what holds or does not, each by itself, where one that holds is enough.
 pub type Among = fn(&[bool]) -> bool;
 
+/// From which round a value is taken, by the number of the round in which it is wanted: that one, or one before it.
+pub type Earlier = fn(usize) -> usize;
+
 /// What is made of the rounds of a loop.
 pub type Rounds = fn(Range<usize>) -> Range<usize>;
 
@@ -150,8 +153,8 @@ pub enum Slip {
     Bracket(Place, Bracket),
     /// Something else is made of a base and an exponent than the power.
     Power(Place, Powers),
-    /// The value that the step had when the way came by it before, as one that a loop does not renew.
-    Stale(Place),
+    /// The value that the step had in a round before, as one that a loop does not renew, or a line that was copied and not changed.
+    Earlier(Place, Earlier),
     /// A decision falls in another way.
     Decision(Place, fn(bool) -> bool),
     /// Of several things of which one is enough, others are asked, or more must hold.
@@ -173,7 +176,7 @@ impl Slip {
             Self::Value(at, _)
             | Self::Bracket(at, _)
             | Self::Power(at, _)
-            | Self::Stale(at)
+            | Self::Earlier(at, _)
             | Self::Other { at, .. }
             | Self::Mix { at, .. }
             | Self::Decision(at, _)
@@ -204,9 +207,9 @@ impl Slip {
 /// More steps than these no way to a right answer takes: a way with a slip may never end.
 const ENDLESS: usize = 200_000;
 
-/// Ends a way that has become endless; whoever follows a slip catches that.
-pub(super) fn end_if_endless(steps: usize) {
-    if steps > ENDLESS {
+/// Ends a way that has become endless, or longer than it may be; whoever follows a slip catches that.
+pub(super) fn end_if_endless(steps: usize, most: Option<usize>) {
+    if steps > most.unwrap_or(ENDLESS) {
         resume_unwind(Box::new("a way with a slip that never ends"));
     }
 }

@@ -115,3 +115,44 @@ fn of_nan_no_function_is_told() {
     let found = found("fresnel", |_| Some(vec![f64::NAN; 3])).expect("it has a name");
     assert!(found.name.contains("NaN"), "{}", found.name);
 }
+
+#[test]
+fn one_coordinate_for_all_axes_is_named() {
+    let found = diagnosed("box_clip", |q| {
+        let [mut enter, mut leave] = [q[6], q[7]];
+        for axis in 0..3 {
+            let [o, d] = [q[axis], q[3 + axis]];
+            let [least, greatest] = [q[8 + axis], q[11 + axis]];
+            let near = (least - o) / d;
+            let far = (greatest - q[0]) / d;
+            if d == 0.0 {
+                let is_inside = least <= o && o <= greatest;
+                leave = if is_inside { leave } else { f64::NEG_INFINITY };
+            } else {
+                (enter, leave) = (enter.max(near.min(far)), leave.min(near.max(far)));
+            }
+        }
+        Some(if enter <= leave {
+            vec![1.0, enter, leave]
+        } else {
+            vec![0.0]
+        })
+    });
+    let told = "takes for “the start's coordinate in t of the greatest plane” the value of the first round in every round, as that along x for y and z too";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_line_that_was_copied_and_not_changed_is_named() {
+    let found = diagnosed("octree_child", |q| {
+        let is_upper = |axis: usize, along: usize| {
+            let middle = 0.5 * (q[along] + q[3 + along]);
+            f64::from(u8::from(q[6 + axis] >= middle))
+        };
+        Some(vec![
+            is_upper(0, 0) + 2.0 * is_upper(1, 0) + 4.0 * is_upper(2, 2),
+        ])
+    });
+    let told = "takes for “the middle along an axis” the value of the first round in the second too, as that along x for y";
+    assert_eq!(found.name, told);
+}

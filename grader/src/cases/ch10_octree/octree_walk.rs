@@ -176,6 +176,16 @@ impl Graded for OctreeWalk {
             answer: nearest_only,
         },
         Mistake {
+            name: "does not go below the children of the root",
+            hint: "A child of the root may have children of its own: is it opened like the root?",
+            answer: |q| {
+                let root = &q.nodes[0];
+                let near = |leaf: &u32| *leaf < root.first + 8;
+                let all = OctreeWalk::answer(q).into_iter();
+                all.filter(|leaf| root.inner == 0 || near(leaf)).collect()
+            },
+        },
+        Mistake {
             name: "goes on beyond the end of the interval",
             hint: "Something nearer may already have been hit: what is the interval's max for?",
             answer: |q| walked(q, q.ray, Interval::new(q.within.min, f32::INFINITY)),

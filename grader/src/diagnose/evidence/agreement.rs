@@ -174,13 +174,16 @@ impl Evidence<'_> {
     }
 
     /// Whether a prediction of one part says of another what is neither right there nor the student's.
+    /// Of answers of which the shape alone is looked at, that the student's is another one of that shape.
     fn strays_elsewhere(&self, item: &Item, prediction: &[f64]) -> bool {
-        let Scope::Part(part) = self.scope else {
-            return false;
-        };
-        let golden = item.golden();
         let compare =
             |one: &[f64], other: &[f64]| self.examiner.compare(&item.question, one, other).is_ok();
+        let part = match self.scope {
+            Scope::Whole => return false,
+            Scope::Shape => return !compare(prediction, &item.raw),
+            Scope::Part(part) => part,
+        };
+        let golden = item.golden();
         let mut others = (0..self.parts.len()).filter(|other| *other != part);
         others.any(|other| {
             let said = self.projected(other, golden, prediction);

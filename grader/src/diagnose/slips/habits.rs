@@ -1,6 +1,6 @@
 //! What people make of a step's value, of a power, of several things and of the rounds of a loop.
 
-use crate::explain::slip::{Among, Change, Powers, Rounds};
+use crate::explain::slip::{Among, Change, Earlier, Powers, Rounds};
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
 
 /// What is often made of a value of a certain size.
@@ -148,6 +148,34 @@ pub const AMONG: &[(u32, &str, Among)] = &[
     (2, "wants all, where one is enough,", |all| {
         all.iter().all(|one| *one)
     }),
+];
+
+/// From which round people take a value that each has anew: how common it is, what is done, and the round. Rounds are often those of
+/// x, y and z, and are counted by threes.
+pub const EARLIER: &[(u32, &str, Earlier)] = &[
+    (12, "the value of the round before", |round| {
+        round.max(1) - 1
+    }),
+    (
+        12,
+        "the value of the first round in every round, as that along x for y and z too",
+        |round| round - round % 3,
+    ),
+    (
+        13,
+        "the value of the first round in the second too, as that along x for y",
+        |round| round - usize::from(round % 3 == 1),
+    ),
+    (
+        13,
+        "the value of the first round in the third too, as that along x for z",
+        |round| if round % 3 == 2 { round - 2 } else { round },
+    ),
+    (
+        13,
+        "the value of the second round in the third too, as that along y for z",
+        |round| round - usize::from(round % 3 == 2),
+    ),
 ];
 
 /// What people make of the rounds of a loop: how common it is, in words before what it goes through, and the rounds.

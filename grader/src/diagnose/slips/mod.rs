@@ -11,7 +11,7 @@ use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
-use habits::{AMONG, COMMON, NEAR, POWERS, ROUNDS};
+use habits::{AMONG, COMMON, EARLIER, NEAR, POWERS, ROUNDS};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -28,6 +28,8 @@ pub struct Slipped {
     explainer: &'static Explainer,
     way: usize,
     slip: Slip,
+    /// A longer way than this is nobody's: the slip has made a list of all numbers.
+    most: usize,
 }
 
 impl Slipped {
@@ -35,7 +37,7 @@ impl Slipped {
     pub fn answer(&self, question: &[f64]) -> Option<Vec<f64>> {
         let work = |way: &mut Way| (self.explainer.work)(self.way, question, way);
         attempt(|| {
-            let mut way = Way::with(self.slip);
+            let mut way = Way::with(self.slip).no_longer_than(self.most);
             let answer = work(&mut way);
             if !way.looks_ahead() {
                 return answer;
@@ -49,7 +51,8 @@ impl Slipped {
     /// What is answered if another slip is made on the same way too.
     pub fn answer_with(&self, other: &Self, question: &[f64]) -> Option<Vec<f64>> {
         let both = [self.slip, other.slip];
-        attempt(|| (self.explainer.work)(self.way, question, &mut Way::with_both(both)))
+        let mut way = Way::with_both(both).no_longer_than(self.most);
+        attempt(|| (self.explainer.work)(self.way, question, &mut way))
     }
 
     /// Whether another slip can be made on the same way.
@@ -64,6 +67,9 @@ impl Slipped {
         way.end().length
     }
 }
+
+/// A way with a slip may be this many times as long as the longest without, and this many steps longer.
+const LONGER: (usize, usize) = (20, 1000);
 
 /// No more steps than these, in all questions, are tried with slips: an estimate has a thousand times as many as a formula.
 const LONG: usize = 300_000;
@@ -97,6 +103,8 @@ struct Passed {
     operations: Vec<Operation>,
     powers: Vec<Operation>,
     loops: Vec<Loop>,
+    /// The number of steps and decisions of the longest.
+    longest: usize,
 }
 
 /// None if the way is too long.
@@ -108,6 +116,7 @@ fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Opti
         (explainer.work)(number, &item.question, &mut way);
         let walked = way.end();
         length += walked.length;
+        passed.longest = passed.longest.max(walked.length);
         if length > LONG {
             return None;
         }
@@ -157,6 +166,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             explainer,
             way: number,
             slip,
+            most: LONGER.0 * passed.longest + LONGER.1,
         });
     };
     let has_angles = steps.iter().any(|(step, _)| step.unit == "rad");
@@ -175,8 +185,10 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             let hint = leads_on.unwrap_or(hint);
             add(name, hint, rank, Slip::Value(at, change));
         }
-        let stale = format!("takes for “{name}” the value of the round before");
-        add(stale, ROUND, 12, Slip::Stale(at));
+        for (rank, what, from) in EARLIER {
+            let name = format!("takes for “{name}” {what}");
+            add(name, ROUND, *rank, Slip::Earlier(at, *from));
+        }
         for (other, _) in steps {
             let fits = [1, step.value.len()].contains(&other.value.len());
             if other.place != at && fits {
@@ -219,15 +231,13 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     for one in &passed.decisions {
         let (name, place) = (one.name, one.place);
         let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
-        let mut turned = |name, of| add(name, CONDITION, 9, Slip::Decision(place, of));
-        turned(format!("never takes it into account when {name}"), |_| {
-            false
-        });
-        turned(format!("always goes on as if {name}"), |_| true);
-        turned(
-            format!("decides the other way round whether {name}"),
-            |holds| !holds,
-        );
+        let mut turned = |name, rank, of| add(name, CONDITION, rank, Slip::Decision(place, of));
+        let never = format!("never takes it into account when {name}");
+        let always = format!("always goes on as if {name}");
+        let other = format!("decides the other way round whether {name}");
+        turned(never, LEFT_OUT, |_| false);
+        turned(always, LEFT_OUT, |_| true);
+        turned(other, LEFT_OUT + 1, |holds| !holds);
         if one.asks == Asks::Several {
             for (rank, what, of) in AMONG {
                 let name = format!("{what} when it decides whether {name}");
@@ -255,7 +265,7 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
     }
     for Operation { name, place } in &passed.operations {
         let slip = Slip::Forgotten(*place);
-        all.push((format!("forgets {name}"), FORGOTTEN, 9, slip));
+        all.push((format!("forgets {name}"), FORGOTTEN, LEFT_OUT, slip));
     }
     for Operation { name, place } in &passed.powers {
         for (rank, what, of) in POWERS {
@@ -269,6 +279,9 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
 
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
+
+/// The rank of a condition that is not asked, and of an operation that is forgotten: they are simpler than a value that does the same.
+const LEFT_OUT: u32 = 8;
 
 /// What leads on from a step that `raybook explain` tells.
 const TOLD: &str = "`raybook explain` shows this step with its right value: print yours beside it.";

@@ -1,6 +1,7 @@
 //! Answers as a whole: the same one to every question or none, lists in another order, parts exchanged, the other way round.
 
 mod alike;
+mod clamped;
 mod largest;
 mod lists;
 mod mean;
@@ -26,6 +27,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         before,
     )];
     all.extend(alike::explanations(evidence, base));
+    all.extend(clamped::explanations(evidence, base));
     all.extend(largest::explanations(evidence, base));
     all.extend(lists::explanations(evidence, base));
     all.extend(mean::explanations(evidence, base));

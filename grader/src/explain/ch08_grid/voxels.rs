@@ -58,13 +58,15 @@ fn tried(asked: &VoxelsOfTriangle, way: &mut Way, meets: Meets) -> Vec<Cell> {
     let last = way.vector("the last cell that it can be in", "", inside(last));
     let [first, last] = [first, last].map(|cell| cell.as_ivec3().clamp(IVec3::ZERO, most));
     way.remark("Of each of these the box, grown by the margin, cuts the triangle; what remains of it has corners, or the cell is not on the list.");
+    let most = (last - first + 1).as_usizevec3();
     let mut found = Vec::new();
-    for z in first.z..=last.z {
-        for y in first.y..=last.y {
-            for x in first.x..=last.x {
-                let cell = UVec3::new(x as u32, y as u32, z as u32);
+    for z in way.rounds("the box's cells along z", most.z) {
+        for y in way.rounds("the box's cells along y", most.y) {
+            for x in way.rounds("the box's cells along x", most.x) {
+                let cell = first.as_uvec3() + UVec3::new(x as u32, y as u32, z as u32);
                 let apart = way.part("the extents of a cell, in a cell's place", size);
-                let low = min + cell.as_dvec3() * apart;
+                let from = way.part("min, in a cell's place", min);
+                let low = from + cell.as_dvec3() * apart;
                 if meets(way, corners, low, size, margin) {
                     found.push(Cell::from(cell));
                 }

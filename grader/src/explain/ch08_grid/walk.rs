@@ -148,6 +148,13 @@ impl Start {
     }
 }
 
+/// A cell on the way, as it is returned.
+fn visit(way: &mut Way, cell: UVec3, leave: f64) -> Visit {
+    let UVec3 { x, y, z } = cell;
+    let leave = way.part("leave, returned", leave) as f32;
+    Visit { x, y, z, leave }
+}
+
 /// The distances to planes ahead; those that are never met are infinitely far.
 fn met(ahead: DVec3, d: DVec3) -> DVec3 {
     (ahead / d).map(|t| if t.is_finite() { t } else { f64::INFINITY })
@@ -188,14 +195,8 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
         let nearest = way.part("the nearest of the next planes", next.min_element());
         let is_beyond = way.is_less("the way through the lattice ends in a cell", end, nearest);
         let leave = if is_beyond { end } else { nearest };
-        let UVec3 { x, y, z } = cell;
         if leave > enter || !leaves_out {
-            visits.push(Visit {
-                x,
-                y,
-                z,
-                leave: leave as f32,
-            });
+            visits.push(visit(way, cell, leave));
         }
         enter = leave;
         if way.is_at_most("the way through the lattice has ended", end, leave) {
@@ -248,9 +249,7 @@ fn by_sorting(asked: &GridWalk, way: &mut Way) -> Vec<Visit> {
         let at = way.part("o + that·d", o + between * d);
         let inside = way.part("o + that·d − min", at - min);
         let place = way.part("(o + that·d − min)/cell", inside / through.size);
-        let UVec3 { x, y, z } = through.cell(place);
-        let leave = way.part("leave, returned", leave) as f32;
-        visits.push(Visit { x, y, z, leave });
+        visits.push(visit(way, through.cell(place), leave));
     }
     visits
 }
@@ -301,12 +300,7 @@ impl Explained for GridWalk {
             let nearest = way.part("the nearest plane ahead", next.min_element());
             let is_beyond = way.is_less("the interval ends in a cell", limit, nearest);
             let leave = if is_beyond { limit } else { nearest };
-            visits.push(Visit {
-                x,
-                y,
-                z,
-                leave: leave as f32,
-            });
+            visits.push(visit(way, cell, leave));
             let beyond = start.next(cell, next.min_position());
             let Some(beyond) = beyond.filter(|_| leave < limit) else {
                 let why = if leave >= limit {

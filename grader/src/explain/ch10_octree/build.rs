@@ -8,7 +8,8 @@ use crate::explain::way::Way;
 use glam::Vec3;
 use raybook::inside::octree::child_cell;
 use raybook::math::aabb::Aabb;
-use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
+use raybook_workbook::exercises::ch05_box::Corners;
+use raybook_workbook::exercises::ch10_octree::OctreeBuild;
 use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 
 /// A leaf that is still to be cut, or not.
@@ -20,11 +21,46 @@ struct Growing {
     copies: f64,
 }
 
+/// The children in the upper half of their parent along x, y and z, one bit each.
+const UPPER: [u8; 3] = [0b1010_1010, 0b1100_1100, 0b1111_0000];
+
+/// Which children of a cell a box reaches or touches, one bit each.
+fn reached(way: &mut Way, shape: &Corners, cell: &Aabb) -> u8 {
+    let middle = child_cell(cell, 0).max;
+    let mut bits = u8::MAX;
+    for axis in way.rounds("the axes along which a shape reaches a child", 3) {
+        let [begin, end] = [shape.min, shape.max].map(|corner| f64::from(corner[axis]));
+        let [low, middle, high] = [cell.min, middle, cell.max].map(|p| f64::from(p[axis]));
+        let in_lower = way.is_at_most("a shape begins in the lower half", begin, middle);
+        let in_upper = way.is_at_most("a shape ends in the upper half", middle, end);
+        if !in_lower || end < low {
+            bits &= UPPER[axis];
+        }
+        if !in_upper || high < begin {
+            bits &= !UPPER[axis];
+        }
+    }
+    bits
+}
+
 /// The copies that are left to a child of a cell with n shapes, of which a cut makes Σ nᵢ.
 fn left_to_a_child(way: &mut Way, copies: f64, [below, n]: [f64; 2]) -> f64 {
     let named = way.part("Σ nᵢ/n, by which the copies are lowered", below / n);
     let fewer = way.made("to divide the copies by 1 at least", named, named.max(1.0));
     way.part("the copies that are left to a child", copies / fewer)
+}
+
+/// Why a cell stays a leaf, if it does: a cut is too dear, makes too many copies, or is too deep.
+fn stays([is_dear, is_many, is_deep]: [bool; 3]) -> Option<&'static str> {
+    if is_dear {
+        Some("That is not below n: it stays a leaf.")
+    } else if is_many {
+        Some("It would be worth its price, but the limit allows no more copies: it stays a leaf.")
+    } else {
+        is_deep.then_some(
+            "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
+        )
+    }
 }
 
 impl Explained for OctreeBuild {
@@ -59,7 +95,7 @@ impl Explained for OctreeBuild {
                 copies,
             } = growing;
             let cells: [Aabb; 8] = std::array::from_fn(|child| child_cell(&cell, child));
-            let reach = |&shape: &u32| reached(&self.shapes[shape as usize], &cells);
+            let reach = |&shape: &u32| reached(way, &self.shapes[shape as usize], &cell);
             let reach: Vec<_> = shapes.iter().map(reach).collect();
             let n = shapes.len() as f64;
             let copies = way.part("the copies that are allowed in a cell", copies);
@@ -82,22 +118,14 @@ impl Explained for OctreeBuild {
                 self.depth.into(),
                 depth.into(),
             );
-            let stop = if is_dear {
-                Some("That is not below n: it stays a leaf.")
-            } else if is_many {
-                Some(
-                    "It would be worth its price, but the limit allows no more copies: it stays a leaf.",
-                )
-            } else if is_deep {
-                Some(
-                    "It would be worth its price, but the limit allows no more depth: it stays a leaf.",
-                )
-            } else {
-                None
-            };
-            if let Some(why) = stop {
+            if let Some(why) = stays([is_dear, is_many, is_deep]) {
                 way.remark(why);
-                tree.nodes[node] = leaf(tree.names.len(), shapes.len());
+                let begin = way.part(
+                    "the place where a leaf's names begin",
+                    tree.names.len() as f64,
+                );
+                let count = way.part("the number of a leaf's names", shapes.len() as f64);
+                tree.nodes[node] = leaf(begin as usize, count as usize);
                 tree.names.extend(shapes);
                 continue;
             }

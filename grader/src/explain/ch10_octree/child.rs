@@ -32,7 +32,9 @@ impl Explained for OctreeChild {
         let center = way.vector("the cell's middle, (min + max)/2", "m", 0.5 * sum);
         let mut digits = DVec3::ZERO;
         for (axis, name) in AXES.iter().enumerate() {
-            let is_upper = way.is_at_most("the point is in the upper half", center[axis], p[axis]);
+            let middle = way.part("the middle along an axis", center[axis]);
+            let at = way.part("the point's coordinate", p[axis]);
+            let is_upper = way.is_at_most("the point is in the upper half", middle, at);
             let half = ["lower half: 0", "upper half: 1"][usize::from(is_upper)];
             way.remark(format!("Along {name} the point is in the {half}."));
             digits[axis] = u8::from(is_upper).into();

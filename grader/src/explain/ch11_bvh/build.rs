@@ -13,7 +13,11 @@ use raybook_workbook::tree_rows::NodeRow;
 /// Puts a node's subtree over some boxes into the tree.
 fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, some: &[u32]) {
     let n = some.len();
-    let [min, max] = around(&q.boxes, some);
+    // Until now a child has its parent's box.
+    let NodeRow { min, max, .. } = tree.nodes[node];
+    let own = around(&q.boxes, some);
+    let of_parent = if node == 0 { own } else { [min, max] };
+    let [min, max] = way.made("to give a child a box of its own", of_parent, own);
     way.number(format!("node {node}: its number of boxes"), "", n as f64);
     // The steps of the first cut are told; the others go the same way.
     let cut = if node == 0 {
@@ -21,7 +25,7 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
     } else {
         way.silently(|way| best_cut(way, &q.boxes, some))
     };
-    let whole = way.part("the area of a node's box", area([min, max]));
+    let whole = way.part("the area of a node's box", area(own));
     // Both sides are reckoned as leaves here: as a rule it is right, and cheap.
     let branch = way.part("the cost of opening a branch, times its area", whole);
     let sides = cut.as_ref().map_or(f64::INFINITY, |cut| cut.cost);
@@ -40,7 +44,10 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
             first: tree.order.len() as u32,
             count: n as u32,
         };
-        tree.order.extend(some);
+        let begin = tree.order.len() as u32;
+        let places = (begin..begin + n as u32).collect();
+        let numbers = "to write the boxes' own numbers into the order, not places in it";
+        tree.order.extend(way.made(numbers, places, some.to_vec()));
         return;
     };
     let first = tree.nodes.len();
@@ -57,8 +64,14 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
         first: first as u32,
         count: 0,
     };
-    tree.nodes
-        .extend([tree.nodes[node].clone(), tree.nodes[node].clone()]);
+    let [min, max] = own;
+    let child = NodeRow {
+        min,
+        max,
+        first: 0,
+        count: 0,
+    };
+    tree.nodes.extend([child.clone(), child]);
     grow(q, way, tree, first, &cut.left);
     grow(q, way, tree, first + 1, &cut.right);
 }

@@ -8,8 +8,8 @@ use crate::explain::way::Way;
 use raybook_workbook::exercises::ch11_bvh::SahCost;
 use raybook_workbook::tree_rows::NodeRow;
 
-/// The area of a node's box.
-fn area_by_steps(way: &mut Way, row: &NodeRow) -> f64 {
+/// The area of a node's box, its steps written down.
+pub fn area_by_steps(way: &mut Way, row: &NodeRow) -> f64 {
     let max = way.part("max of a node", row.max.as_dvec3());
     let min = way.part("min of a node", row.min.as_dvec3());
     let size = way.part("a node's extents", max - min);

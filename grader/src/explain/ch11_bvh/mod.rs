@@ -6,6 +6,7 @@ mod cut;
 mod search;
 
 use super::tree::Node;
+pub use cost::area_by_steps;
 use raybook_workbook::tree_rows::NodeRow;
 
 /// The children of a branch, left and right; none of a leaf.

@@ -4,13 +4,16 @@ use super::{children, drawn};
 use crate::explain::Explained;
 use crate::explain::diagram::Diagram;
 use crate::explain::nearest::Nearest;
+use crate::explain::rays;
 use crate::explain::tree::{self, enters};
 use crate::explain::way::Way;
+use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 
 /// A search in a tree, while it runs.
 struct Search<'a> {
     q: &'a BvhClosest,
+    within: Interval,
     nearest: Nearest,
     boxes: u32,
     /// The nodes that are opened or whose shapes are tested.
@@ -34,7 +37,7 @@ impl Search<'_> {
                 let id = row.first + place as u32;
                 let triangle = &self.q.triangles[id as usize];
                 let corners = [triangle.p0, triangle.p1, triangle.p2];
-                let (name, asked) = (format!("triangle {id}"), (&self.q.ray, self.q.within));
+                let (name, asked) = (format!("triangle {id}"), (&self.q.ray, self.within));
                 self.nearest.test(way, asked, (&name, id), corners);
             }
             return;
@@ -48,7 +51,7 @@ impl Search<'_> {
             };
             self.boxes += 1;
             let limit = self.nearest.limit();
-            match enters(&self.q.ray, self.q.within, limit, [row.min, row.max]) {
+            match enters(&self.q.ray, self.within, limit, [row.min, row.max]) {
                 Some(enter) => {
                     let name = format!("node {node} is opened: the ray enters node {child} at t =");
                     below.push((way.number(name, "m", enter), child));
@@ -78,6 +81,7 @@ impl Search<'_> {
 fn search<'a>(q: &'a BvhClosest, way: &mut Way) -> Search<'a> {
     let mut search = Search {
         q,
+        within: rays::interval(way, q.within),
         nearest: Nearest::default(),
         boxes: 0,
         met: Vec::new(),

@@ -24,10 +24,12 @@ pub struct Way {
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
     looks_ahead: bool,
-    /// The value that a step had when the way came by it last, for a slip that keeps it.
-    before: Option<Vec<f64>>,
+    /// The values that a step had in the rounds up to now, for a slip that takes one of them.
+    before: Vec<Vec<f64>>,
     is_watched: bool,
     calculated: usize,
+    /// The number of steps with which it ends, come to its end or not.
+    most: Option<usize>,
 }
 
 impl Way {
@@ -45,6 +47,13 @@ impl Way {
             ahead: right.steps.into_iter().chain(right.untold).collect(),
             ..Self::with(slip)
         }
+    }
+
+    /// The same way, given up after this number of steps and decisions.
+    #[must_use]
+    pub fn no_longer_than(self, most: usize) -> Self {
+        let most = Some(most);
+        Self { most, ..self }
     }
 
     /// Whether a slip wanted the value of a step to which the way had not come, and the way is short: one of many rounds is not gone twice.
@@ -209,7 +218,7 @@ impl Way {
     fn count(&mut self) {
         self.calculated += 1;
         if self.slips[0].is_some() {
-            end_if_endless(self.calculated);
+            end_if_endless(self.calculated, self.most);
         }
     }
 
@@ -264,9 +273,10 @@ impl Way {
                 self.looks_ahead |= value.is_none();
                 value.map_or(v, |value| v.with(&value))
             }
-            Slip::Stale(at) if at == place => {
-                let before = self.before.replace(v.numbers());
-                before.map_or(v, |before| v.with(&before))
+            Slip::Earlier(at, from) if at == place => {
+                let round = self.before.len();
+                self.before.push(v.numbers());
+                v.with(&self.before[from(round)])
             }
             Slip::Bracket(at, bracket) if at == place => {
                 let value = v.numbers();

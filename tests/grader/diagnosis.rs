@@ -1,11 +1,14 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
+mod channels;
+mod comparisons;
 mod flaws;
 mod formulas;
 mod guesses;
 mod habits;
 mod mistakes;
 mod operations;
+mod own_choices;
 mod panics;
 mod regimes;
 mod several;

@@ -242,6 +242,25 @@ impl Graded for Lit {
             answer: |q| Self::misread(q, |q| q.distance = q.distance.min(1.0)),
         },
         Mistake {
+            name: "skips the first metre of the way",
+            hint: "A sphere may stand close to the surface: how far from it does your way to the light begin?",
+            answer: |q| {
+                let way = shadow(q);
+                let later = Lit {
+                    position: way.origin,
+                    ..q.clone()
+                };
+                u32::from(!blocked(
+                    &later,
+                    &q.spheres,
+                    Interval {
+                        min: 1.0,
+                        ..way.within
+                    },
+                ))
+            },
+        },
+        Mistake {
             name: "leaves out a sphere whose middle is not between the point and the light",
             hint: "A sphere begins before its middle: can it be in the way although its middle is behind the light?",
             answer: |q| {

@@ -11,7 +11,7 @@ use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
-use habits::{AMONG, COMMON, NEAR, POWERS, ROUNDS};
+use habits::{AMONG, COMMON, NEAR, POWERS, ROUNDS, SIDES};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -166,6 +166,8 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
+    // Of yes and no a decision or a loop is rather wrong than a number.
+    let seldom = if evidence.tells_much() { 0 } else { 2 };
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
@@ -173,7 +175,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
-            add(name, hint, rank, Slip::Value(at, change));
+            add(name, hint, rank + seldom, Slip::Value(at, change));
         }
         let stale = format!("takes for “{name}” the value of the round before");
         add(stale, ROUND, 12, Slip::Stale(at));
@@ -186,8 +188,15 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 // What has another unit or another number of components is seldom taken by mistake.
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
+                let other = |only| Slip::Other { at, of, only };
+                for (i, axis) in step.axes.iter().enumerate().filter(|_| is_alike) {
+                    if rank + 2 <= rarest {
+                        let name = format!("{name}, in {axis} only");
+                        add(name, hint, rank + 2, other(Some(i)));
+                    }
+                }
                 if rank <= rarest {
-                    add(name, hint, rank, Slip::Other { at, of });
+                    add(name, hint, rank, other(None));
                 }
             }
         }
@@ -210,7 +219,34 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     for (name, hint, rank, slip) in branches(&passed) {
         add(name, hint, rank, slip);
     }
+    for (name, rank, slip) in asked(&passed).filter(|(_, rank, _)| *rank <= rarest) {
+        add(name, CONDITION, rank, slip);
+    }
     all
+}
+
+/// The slips in comparisons that ask for the value of another step.
+fn asked(passed: &Passed) -> impl Iterator<Item = (String, u32, Slip)> {
+    let decisions = passed.decisions.iter();
+    let compared = decisions.filter(|one| one.asks == Asks::Compared);
+    let numbers = || {
+        passed
+            .steps
+            .iter()
+            .filter(|(step, _)| step.value.len() == 1)
+    };
+    let pairs = compared.flat_map(move |one| numbers().map(move |(step, _)| (one, step)));
+    pairs.flat_map(|(one, step)| {
+        [true, false].map(|is_first| {
+            let name = format!(
+                "compares “{}” when it decides whether {}",
+                short(step),
+                one.name
+            );
+            let (at, of) = (one.place, step.place);
+            (name, 13, Slip::Asks { at, of, is_first })
+        })
+    })
 }
 
 /// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.
@@ -239,6 +275,10 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
             add(tie, CONDITION, 10, Slip::Tie(place));
+            for (rank, what, of) in SIDES {
+                let sides = format!("{what} when it decides whether {name}");
+                add(sides, CONDITION, *rank, Slip::Sides(place, *of));
+            }
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
                     "takes a difference of less than {least} for none when it decides whether {name}"
@@ -302,7 +342,7 @@ fn changes(
 ) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
     let size = step.value.len();
     let common = COMMON.iter().filter(move |one| one.suits(size));
-    let common = common.map(|one| (one.name.to_owned(), None, one.rank, one.change));
+    let common = common.map(|one| (one.called(step.axes), None, one.rank, one.change));
     let functions = FUNCTIONS
         .iter()
         .filter(move |one| one.suits(&step.value, step.unit, has_angles));

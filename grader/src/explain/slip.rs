@@ -165,15 +165,6 @@ pub enum Slip {
     Near(Place, f64),
     /// Of two numbers that are compared another is made.
     Sides(Place, Sides),
-    /// The last value of another step, a number, is compared.
-    Asks {
-        /// The decision.
-        at: Place,
-        /// The step whose value is compared.
-        of: Place,
-        /// Whether it stands for the first of the two numbers.
-        is_first: bool,
-    },
     /// Equal numbers are compared by < for ≤, or the other way round.
     Tie(Place),
     /// An operation is forgotten.
@@ -196,7 +187,6 @@ impl Slip {
             | Self::Among(at, _)
             | Self::Near(at, _)
             | Self::Sides(at, _)
-            | Self::Asks { at, .. }
             | Self::Tie(at)
             | Self::Forgotten(at)
             | Self::Rounds(at, _) => at,

@@ -4,22 +4,6 @@ use super::operations::diagnosed;
 use glam::{DVec2, DVec3};
 
 #[test]
-fn a_comparison_of_another_value_is_named() {
-    let found = diagnosed("blinn_phong", |q| {
-        let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
-        let cosine = n.dot((l + v).normalize_or_zero());
-        let light = if cosine > 0.0 {
-            (k_d * n.dot(l) + k_s * cosine.powf(q[18])) * i
-        } else {
-            DVec3::ZERO
-        };
-        Some(light.to_array().to_vec())
-    });
-    let told = "compares “N·H” when it decides whether the light is not above the surface";
-    assert_eq!(found.name, told, "{found:?}");
-}
-
-#[test]
 fn a_comparison_with_another_number_is_named() {
     let found = diagnosed("pixel_average", |q| {
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);

@@ -52,6 +52,11 @@ impl Slipped {
         attempt(|| (self.explainer.work)(self.way, question, &mut Way::with_both(both)))
     }
 
+    /// Whether other slips have the same answers: what is compared shows only in what is decided.
+    pub fn is_doubtful(&self) -> bool {
+        matches!(self.slip, Slip::Sides(..))
+    }
+
     /// Whether another slip can be made on the same way.
     pub fn goes_with(&self, other: &Self) -> bool {
         self.way == other.way && self.slip.place() != other.slip.place()
@@ -219,34 +224,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     for (name, hint, rank, slip) in branches(&passed) {
         add(name, hint, rank, slip);
     }
-    for (name, rank, slip) in asked(&passed).filter(|(_, rank, _)| *rank <= rarest) {
-        add(name, CONDITION, rank, slip);
-    }
     all
-}
-
-/// The slips in comparisons that ask for the value of another step.
-fn asked(passed: &Passed) -> impl Iterator<Item = (String, u32, Slip)> {
-    let decisions = passed.decisions.iter();
-    let compared = decisions.filter(|one| one.asks == Asks::Compared);
-    let numbers = || {
-        passed
-            .steps
-            .iter()
-            .filter(|(step, _)| step.value.len() == 1)
-    };
-    let pairs = compared.flat_map(move |one| numbers().map(move |(step, _)| (one, step)));
-    pairs.flat_map(|(one, step)| {
-        [true, false].map(|is_first| {
-            let name = format!(
-                "compares “{}” when it decides whether {}",
-                short(step),
-                one.name
-            );
-            let (at, of) = (one.place, step.place);
-            (name, 13, Slip::Asks { at, of, is_first })
-        })
-    })
 }
 
 /// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.

@@ -87,29 +87,7 @@ impl Way {
             decision.asks = Asks::Compared;
         }
         let place = decision.place;
-        let slips = self.slips.into_iter().flatten();
-        slips.fold(holds, |holds, slip| match (slip, of) {
-            (Slip::Asks { at, of, is_first }, Some(compared)) if at == place => {
-                self.asks(compared, of, is_first).holds()
-            }
-            _ => slip.decided(place, holds, of),
-        })
-    }
-
-    /// A comparison of the last value of another step.
-    fn asks(&mut self, compared: Comparison, of: Place, is_first: bool) -> Comparison {
-        let value = self.last(of, 1);
-        self.looks_ahead |= value.is_none();
-        match value.as_deref() {
-            Some([one]) if is_first => Comparison {
-                one: *one,
-                ..compared
-            },
-            Some([other]) => Comparison {
-                other: *other,
-                ..compared
-            },
-            _ => compared,
-        }
+        let slips = self.slips.iter().flatten();
+        slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
     }
 }

@@ -232,7 +232,7 @@ impl Way {
         let looks_back = |slip: &Slip| {
             matches!(
                 slip,
-                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..) | Slip::Asks { .. }
+                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..)
             )
         };
         let mut slips = self.slips.iter().flatten();

@@ -7,6 +7,13 @@ use super::way::Way;
 use glam::Vec3;
 use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, Refract};
 
+/// The ratio of the indices before the surface and behind it.
+fn ratio(way: &mut Way, [before, behind]: [f64; 2]) -> f64 {
+    let before = way.part("n₁, before the surface", before);
+    let behind = way.part("n₂, behind the surface", behind);
+    before / behind
+}
+
 /// The same by one formula: η i + (η cos θ₁ − cos θ₂) n.
 fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let i = way.part("i", asked.direction.as_dvec3());
@@ -18,11 +25,12 @@ fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let cos1 = way.part("−i·normal", -cosine);
     let is_below = way.is_at_most("cos θ₁ would be negative", 0.0, cosine);
     let cos1 = way.part("cos θ₁", if is_below { -cos1 } else { cos1 });
-    let eta = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
-        inside / outside
+    let indices = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
+        [inside, outside]
     } else {
-        outside / inside
+        [outside, inside]
     };
+    let eta = ratio(way, indices);
     let eta = way.part("η = n₁/n₂", eta);
     let is_turned = way.is_at_most("the normal is turned, for the ray leaves", 0.0, cosine);
     let n = way.part(
@@ -56,11 +64,12 @@ fn by_angles(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     } else {
         normal
     };
-    let eta = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
-        inside / outside
+    let indices = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
+        [inside, outside]
     } else {
-        outside / inside
+        [outside, inside]
     };
+    let eta = ratio(way, indices);
     let eta = way.part("n₁/n₂", eta);
     let across = way.part("(i·n) n, the part across the surface", i.dot(n) * n);
     let along = way.part("the part along the surface", i - across);
@@ -90,17 +99,18 @@ impl Explained for Refract {
         let cosine = way.number("i·normal", "", products.element_sum());
         let outside = way.part("outside", f64::from(self.outside));
         let inside = way.part("inside", f64::from(self.inside));
-        let (n, eta) = if way.is_less("the ray comes from the outside", cosine, 0.0) {
+        let (n, indices) = if way.is_less("the ray comes from the outside", cosine, 0.0) {
             way.remark("It is negative: the ray comes from the outside, and n is the normal.");
-            (normal, outside / inside)
+            (normal, [outside, inside])
         } else {
             way.remark(
                 "It is not negative: the ray comes from the inside, and n is minus the normal.",
             );
-            (-normal, inside / outside)
+            (-normal, [inside, outside])
         };
         let n = way.part("n", n);
         let cos1 = way.number("cos θ₁ = −i·n", "", -i.dot(n));
+        let eta = ratio(way, indices);
         let eta = way.number("η = n₁/n₂, the index before over the index behind", "", eta);
         let along = way.vector(
             "s = η (i − (i·n) n), the part along the surface",

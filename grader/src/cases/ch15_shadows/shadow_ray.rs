@@ -208,6 +208,11 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
+            name: "ends the interval at 1, wherever the light is",
+            hint: "The ray's direction has length 1: at which t is the light?",
+            answer: |q| ending(q, 1.0),
+        },
+        Mistake {
             name: "ends the interval at the square of the light's distance",
             hint: "What is the length of the way, and what is its dot product with itself?",
             answer: |q| {

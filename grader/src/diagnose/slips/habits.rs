@@ -30,6 +30,12 @@ impl Common {
     }
 }
 
+/// Gives a vector this length.
+fn lengthen(v: &mut [f64], length: f64) {
+    let own = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+    v.iter_mut().for_each(|v| *v *= length / own);
+}
+
 macro_rules! common {
     ($([$($size:literal)*] $rank:literal $name:literal: $how:ident $of:expr;)+) => {
         /// What is often made of values.
@@ -110,12 +116,15 @@ common! {
     [3] 12 "takes the absolute value of {0}": Together |v| v[0] = v[0].abs();
     [3] 12 "takes the absolute value of {1}": Together |v| v[1] = v[1].abs();
     [3] 12 "takes the absolute value of {2}": Together |v| v[2] = v[2].abs();
-    [3] 10 "normalises the value": Together |v| {
-        let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
-        for v in v {
-            *v /= length;
-        }
+    [3] 12 "takes the sum of the absolute values for its length": Together |v| {
+        let sum = v.iter().map(|v| v.abs()).sum();
+        lengthen(v, sum);
     };
+    [3] 13 "takes the largest of the absolute values for its length": Together |v| {
+        let largest = v.iter().map(|v| v.abs()).fold(0.0, f64::max);
+        lengthen(v, largest);
+    };
+    [3] 10 "normalises the value": Together |v| lengthen(v, 1.0);
 }
 
 /// What people make of a base and an exponent: how common it is, in words, and the number.

@@ -57,3 +57,26 @@ fn a_length_of_one_component_only_is_named() {
     let told = "takes 0 for all but z";
     assert!(found.name.ends_with(told), "{found:?}");
 }
+
+#[test]
+fn a_length_that_is_a_sum_is_named() {
+    let found = diagnosed("point_light", |q| {
+        let way = DVec3::from_slice(q) - DVec3::from_slice(&q[6..]);
+        let (distance, light) = (way.abs().element_sum(), DVec3::from_slice(&q[3..]));
+        if distance == 0.0 {
+            return Some(vec![0.0]);
+        }
+        let arriving = light / way.length_squared();
+        Some(
+            [
+                &[1.0],
+                &(way / distance).to_array()[..],
+                &[distance],
+                &arriving.to_array(),
+            ]
+            .concat(),
+        )
+    });
+    let told = "takes the sum of the absolute values for its length";
+    assert!(found.name.ends_with(told), "{found:?}");
+}

@@ -191,7 +191,7 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "finds its own sphere in the way, as from a start below its surface",
+            name: "finds its own sphere in the way: starts below its surface, or takes the sphere for larger than it is",
             hint: "On which side of the surface is the light, and to which side do you step off it?",
             answer: |q| {
                 let own = q.spheres.iter().any(|ball| {
@@ -206,15 +206,6 @@ impl Graded for Lit {
             answer: |q| {
                 Self::misread(q, |q| {
                     q.spheres.iter_mut().for_each(|ball| ball.radius *= 2.0);
-                })
-            },
-        },
-        Mistake {
-            name: "takes each sphere for a tenth larger than it is",
-            hint: "The point lies on a sphere that is in nobody's way: is it inside of the sphere that you ask?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.spheres.iter_mut().for_each(|ball| ball.radius *= 1.1);
                 })
             },
         },

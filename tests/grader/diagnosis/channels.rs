@@ -8,7 +8,7 @@ fn phong(
     q: &[f64],
     shiny: impl Fn(DVec3, DVec3) -> DVec3,
     sum: impl Fn(DVec3) -> DVec3,
-) -> Option<Vec<f64>> {
+) -> Vec<f64> {
     let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
     let height = n.dot(l);
     let cosine = (2.0 * height * n - l).dot(v);
@@ -22,13 +22,13 @@ fn phong(
     } else {
         DVec3::ZERO
     };
-    Some(light.to_array().to_vec())
+    light.to_array().to_vec()
 }
 
 #[test]
 fn another_coefficient_in_one_channel_is_named() {
     let found = diagnosed("phong", |q| {
-        phong(q, |k_s, k_d| k_s.with_z(k_d.z), |sum| sum)
+        Some(phong(q, |k_s, k_d| k_s.with_z(k_d.z), |sum| sum))
     });
     let told = "takes the value of “k_d” where that of “k_s” belongs, in blue only";
     assert_eq!((&*found.name, found.certain), (told, true));
@@ -37,7 +37,11 @@ fn another_coefficient_in_one_channel_is_named() {
 #[test]
 fn the_numbers_of_a_colour_are_its_channels() {
     let found = diagnosed("phong", |q| {
-        phong(q, |k_s, _| k_s, |sum| DVec3::new(sum.z, sum.y, sum.x))
+        Some(phong(
+            q,
+            |k_s, _| k_s,
+            |sum| DVec3::new(sum.z, sum.y, sum.x),
+        ))
     });
     let told = "goes wrong at the step “diffuse + specular”: exchanges red and blue";
     assert_eq!((&*found.name, found.certain), (told, true));

@@ -33,7 +33,9 @@ impl Common {
 /// Gives a vector this length.
 fn lengthen(v: &mut [f64], length: f64) {
     let own = v.iter().map(|v| v * v).sum::<f64>().sqrt();
-    v.iter_mut().for_each(|v| *v *= length / own);
+    for v in v {
+        *v *= length / own;
+    }
 }
 
 macro_rules! common {

@@ -1,5 +1,7 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
+mod channels;
+mod comparisons;
 mod ends;
 mod flaws;
 mod formulas;
@@ -7,6 +9,7 @@ mod guesses;
 mod habits;
 mod mistakes;
 mod operations;
+mod own_choices;
 mod panics;
 mod regimes;
 mod several;

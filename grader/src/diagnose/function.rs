@@ -74,7 +74,7 @@ functions! {
     10 Number "returns 1 minus the answer: the other way round", "Do you answer the opposite of what is asked?": |v| 1.0 - v, back |v| 1.0 - v;
     11 Number "returns the absolute value of the answer", "May the answer be negative? What does its sign mean?": f64::abs;
     11 Number "clamps the answer to the range from 0 to 1", "Is there an upper limit to what is asked for?": |v| v.clamp(0.0, 1.0);
-    11 Number "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
+    10 Number "never returns less than 0", "May the answer be negative?": |v| v.max(0.0);
     11 Number "never returns more than 1", "Is there an upper limit to what is asked for?": |v| v.min(1.0);
     11 Number "never returns less than 1", "Is there a lower limit to what is asked for?": |v| v.max(1.0);
     10 Number "rounds the answer down to a whole number", "Look for a division of integers, or for a type of whole numbers.": f64::floor;

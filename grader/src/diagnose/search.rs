@@ -134,7 +134,11 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
             fitted: 0,
             answers: Vec::new(),
         };
+        let known = found.len();
         consider(evidence, share, one, &answer, found);
+        for one in &mut found[known..] {
+            one.score.is_doubtful |= slip.is_doubtful();
+        }
     }
 }
 

@@ -38,48 +38,65 @@ fn radiance(
     let l = way.part("L", l);
     let products = way.part("the products that L·N adds up", l * n);
     let lambert = way.number("L·N", "", products.element_sum());
-    if way.decides("the light is not above the surface", lambert <= 0.0) {
+    if way.is_at_most("the light is not above the surface", lambert, 0.0) {
         way.remark("The light is not above the surface.");
         return Rgb::BLACK;
     }
-    let matte = way.part("k_d", parts(at.diffuse));
-    let shiny = way.part("k_s", parts(at.specular));
+    let matte = way.colour_part("k_d", parts(at.diffuse));
+    let shiny = way.colour_part("k_s", parts(at.specular));
     let cosine = cosine(way, [n, v, l], lambert);
     let exponent = way.part("α", f64::from(at.exponent));
-    let is_behind = way.decides("the highlight is on the other side", cosine <= 0.0);
+    let is_behind = way.is_at_most("the highlight is on the other side", cosine, 0.0);
     let cosine = if is_behind { 0.0 } else { cosine };
     let highlight = cosine.powf(exponent);
     let highlight = way.number("that, 0 at least, to the power α", "", highlight);
     let height = way.part("L·N in the diffuse part", lambert);
-    let diffuse = way.vector("diffuse: k_d (L·N)", "1/sr", matte * height);
-    let specular = way.vector("specular: k_s times that", "1/sr", shiny * highlight);
-    let both = way.part("diffuse + specular", diffuse + specular);
-    let arriving = way.part("i", parts(at.arriving));
-    colour(way.vector("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", both * arriving))
+    let diffuse = way.colour("diffuse: k_d (L·N)", "1/sr", matte * height);
+    let specular = way.colour("specular: k_s times that", "1/sr", shiny * highlight);
+    let both = way.colour_part("diffuse + specular", diffuse + specular);
+    let arriving = way.colour_part("i", parts(at.arriving));
+    colour(way.colour("(diffuse + specular) · i", "W·m⁻²·sr⁻¹", both * arriving))
 }
 
 /// The same by the viewer's mirror direction.
 fn by_the_view(asked: &PhongExercise, way: &mut Way) -> Rgb {
     radiance(way, &asked.at, |way, [n, v, l], _| {
         let cosine = way.part("N·V", n.dot(v));
-        let along = way.part("2 (N·V) N", 2.0 * cosine * n);
-        let r = way.part("2 (N·V) N − V", along - v);
+        let behind = way.part("N, behind 2 (N·V)", n);
+        let along = way.part("2 (N·V) N", 2.0 * cosine * behind);
+        let subtracted = way.part("V, which is subtracted", v);
+        let r = way.part("2 (N·V) N − V", along - subtracted);
+        let l = way.part("L, in the product with that", l);
         let products = way.part("the products that the same · L adds up", r * l);
         way.part("the same · L", products.element_sum())
+    })
+}
+
+/// The same without R: R·V = 2 (L·N) (N·V) − L·V.
+fn by_products(asked: &PhongExercise, way: &mut Way) -> Rgb {
+    radiance(way, &asked.at, |way, [n, v, l], lambert| {
+        let light = way.part("L·N, in 2 (L·N) (N·V)", lambert);
+        let seen = way.part("N·V, in 2 (L·N) (N·V)", n.dot(v));
+        let along = way.part("2 (L·N) (N·V)", 2.0 * light * seen);
+        let between = way.part("L·V", l.dot(v));
+        way.part("2 (L·N) (N·V) − L·V", along - between)
     })
 }
 
 impl Explained for PhongExercise {
     fn work(&self, way: &mut Way) -> Rgb {
         radiance(way, &self.at, |way, [n, v, l], lambert| {
-            let along = way.part("2 (L·N) N", 2.0 * lambert * n);
+            let times = way.part("L·N, in 2 (L·N) N", lambert);
+            let n = way.part("N, in 2 (L·N) N", n);
+            let along = way.part("2 (L·N) N", 2.0 * times * n);
+            let l = way.part("L, in 2 (L·N) N − L", l);
             let r = way.vector("R = 2 (L·N) N − L", "", along - l);
             let products = way.part("the products that R·V adds up", r * v);
             way.number("R·V", "", products.element_sum())
         })
     }
 
-    const WAYS: &'static [fn(&Self, &mut Way) -> Rgb] = &[Self::work, by_the_view];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Rgb] = &[Self::work, by_the_view, by_products];
 
     fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {
         let [n, _, l] = directions(&self.at);
@@ -94,8 +111,10 @@ impl Explained for PhongExercise {
 impl Explained for BlinnPhongExercise {
     fn work(&self, way: &mut Way) -> Rgb {
         radiance(way, &self.at, |way, [n, v, l], _| {
+            let l = way.part("L, in L + V", l);
             let sum = way.part("L + V", l + v);
             let half = way.vector("H = (L + V)/|L + V|", "", sum.normalize_or_zero());
+            let n = way.part("N, in N·H", n);
             let products = way.part("the products that N·H adds up", n * half);
             way.number("N·H", "", products.element_sum())
         })
@@ -160,8 +179,8 @@ fn arriving(
     }
     let toward = way.vector("r/d", "", r / distance);
     let square = square(way, r, distance);
-    let intensity = way.part("I", parts(asked.intensity));
-    let arriving = way.vector("I/d²", "W/m²", intensity / square);
+    let intensity = way.colour_part("I", parts(asked.intensity));
+    let arriving = way.colour("I/d²", "W/m²", intensity / square);
     let distance = way.part("d, returned", distance);
     Some(Arriving {
         toward: toward.as_vec3(),

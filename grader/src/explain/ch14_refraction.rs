@@ -7,6 +7,13 @@ use super::way::Way;
 use glam::Vec3;
 use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer, Refract};
 
+/// The ratio of the indices before the surface and behind it.
+fn ratio(way: &mut Way, [before, behind]: [f64; 2]) -> f64 {
+    let before = way.part("n₁, before the surface", before);
+    let behind = way.part("n₂, behind the surface", behind);
+    before / behind
+}
+
 /// The same by one formula: η i + (η cos θ₁ − cos θ₂) n.
 fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let i = way.part("i", asked.direction.as_dvec3());
@@ -15,17 +22,17 @@ fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let inside = way.part("inside", f64::from(asked.inside));
     let products = way.part("the products that i·normal adds up", i * normal);
     let cosine = way.part("i·normal", products.element_sum());
-    let leaves = cosine >= 0.0;
     let cos1 = way.part("−i·normal", -cosine);
-    let is_below = way.decides("cos θ₁ would be negative", leaves);
+    let is_below = way.is_at_most("cos θ₁ would be negative", 0.0, cosine);
     let cos1 = way.part("cos θ₁", if is_below { -cos1 } else { cos1 });
-    let eta = if way.decides("the indices are exchanged, for the ray leaves", leaves) {
-        inside / outside
+    let indices = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
+        [inside, outside]
     } else {
-        outside / inside
+        [outside, inside]
     };
+    let eta = ratio(way, indices);
     let eta = way.part("η = n₁/n₂", eta);
-    let is_turned = way.decides("the normal is turned, for the ray leaves", leaves);
+    let is_turned = way.is_at_most("the normal is turned, for the ray leaves", 0.0, cosine);
     let n = way.part(
         "n, which is added in the end",
         if is_turned { -normal } else { normal },
@@ -34,7 +41,7 @@ fn by_the_formula(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let square = way.part("cos²θ₁", cos1 * cos1);
     let sine = way.part("1 − cos²θ₁", 1.0 - square);
     let squared = way.part("cos²θ₂ = 1 − η² (1 − cos²θ₁)", 1.0 - factor * sine);
-    if way.decides("cos²θ₂ is negative", squared < 0.0) {
+    if way.is_less("cos²θ₂ is negative", squared, 0.0) {
         return None;
     }
     let cos2 = way.part("cos θ₂", squared.sqrt());
@@ -51,24 +58,25 @@ fn by_angles(asked: &Refract, way: &mut Way) -> Option<Vec3> {
     let normal = way.part("the normal", asked.normal.as_dvec3());
     let outside = way.part("outside", f64::from(asked.outside));
     let inside = way.part("inside", f64::from(asked.inside));
-    let leaves = i.dot(normal) >= 0.0;
-    let n = if way.decides("the normal is turned, for the ray leaves", leaves) {
+    let cosine = way.part("i·normal", i.dot(normal));
+    let n = if way.is_at_most("the normal is turned, for the ray leaves", 0.0, cosine) {
         -normal
     } else {
         normal
     };
-    let eta = if way.decides("the indices are exchanged, for the ray leaves", leaves) {
-        inside / outside
+    let indices = if way.is_at_most("the indices are exchanged, for the ray leaves", 0.0, cosine) {
+        [inside, outside]
     } else {
-        outside / inside
+        [outside, inside]
     };
+    let eta = ratio(way, indices);
     let eta = way.part("n₁/n₂", eta);
     let across = way.part("(i·n) n, the part across the surface", i.dot(n) * n);
     let along = way.part("the part along the surface", i - across);
     let long = way.part("the part along the surface, whose length is sin θ₁", along);
     let sin1 = way.part("sin θ₁, its length", long.length());
     let sin2 = way.part("sin θ₂ = n₁/n₂ sin θ₁", eta * sin1);
-    if way.decides("sin θ₂ is greater than 1", sin2 > 1.0) {
+    if way.is_less("sin θ₂ is greater than 1", 1.0, sin2) {
         return None;
     }
     let forward = along.try_normalize().unwrap_or(along);
@@ -91,17 +99,18 @@ impl Explained for Refract {
         let cosine = way.number("i·normal", "", products.element_sum());
         let outside = way.part("outside", f64::from(self.outside));
         let inside = way.part("inside", f64::from(self.inside));
-        let (n, eta) = if way.decides("the ray comes from the outside", cosine < 0.0) {
+        let (n, indices) = if way.is_less("the ray comes from the outside", cosine, 0.0) {
             way.remark("It is negative: the ray comes from the outside, and n is the normal.");
-            (normal, outside / inside)
+            (normal, [outside, inside])
         } else {
             way.remark(
                 "It is not negative: the ray comes from the inside, and n is minus the normal.",
             );
-            (-normal, inside / outside)
+            (-normal, [inside, outside])
         };
         let n = way.part("n", n);
         let cos1 = way.number("cos θ₁ = −i·n", "", -i.dot(n));
+        let eta = ratio(way, indices);
         let eta = way.number("η = n₁/n₂, the index before over the index behind", "", eta);
         let along = way.vector(
             "s = η (i − (i·n) n), the part along the surface",
@@ -110,7 +119,7 @@ impl Explained for Refract {
         );
         let sin2 = way.part("sin²θ₂ = s·s", along.length_squared());
         let squared = way.number("cos²θ₂ = 1 − s·s", "", 1.0 - sin2);
-        if way.decides("cos²θ₂ is negative", squared < 0.0) {
+        if way.is_less("cos²θ₂ is negative", squared, 0.0) {
             way.remark("It is negative: there is no such angle, the ray is totally reflected.");
             return None;
         }
@@ -156,7 +165,7 @@ impl Explained for Fresnel {
             rp: rp as f32,
             r: (0.5 * (rs + rp)) as f32,
         };
-        if way.decides("n₁ is n₂", n1 == n2) {
+        if way.is_zero("n₁ is n₂", n1 - n2) {
             way.remark("n₁ is n₂: there is no surface for the light, and nothing is reflected.");
             return both(0.0, 0.0);
         }
@@ -166,7 +175,7 @@ impl Explained for Fresnel {
         let eta = way.part("(n₁/n₂)²", eta * eta);
         let sin2 = way.number("sin²θ₂ = (n₁/n₂)² (1 − cos²θ₁)", "", eta * sin1);
         let squared = way.number("cos²θ₂ = 1 − sin²θ₂", "", 1.0 - sin2);
-        if way.decides("cos²θ₂ is not positive", squared <= 0.0) {
+        if way.is_at_most("cos²θ₂ is not positive", squared, 0.0) {
             way.remark("It is not positive: all light is reflected.");
             return both(1.0, 1.0);
         }

@@ -23,7 +23,7 @@ impl Explained for ShadowRay {
         let off = steps.number("off = error · (|n.x| + |n.y| + |n.z|)", "m", error * sum);
         let products = steps.part("the products that n·toward adds up", n * toward);
         let cosine = steps.number("n·toward", "", products.element_sum());
-        let is_behind = steps.decides("the light is on the other side of the normal", cosine < 0.0);
+        let is_behind = steps.is_less("the light is on the other side of the normal", cosine, 0.0);
         let side = steps.part("the shift along n", if is_behind { -off } else { off });
         let shifted = position + side * n;
         let origin = steps.vector("position ± off·n, to the light's side", "m", shifted);
@@ -32,7 +32,7 @@ impl Explained for ShadowRay {
             let share = steps.part("10⁻⁴ distance", BEFORE_LIGHT * distance);
             let margin = steps.number("margin = 2 error + 10⁻⁴ distance", "m", twice + share);
             let left = steps.part("distance − margin", distance - margin);
-            let is_near = steps.decides("the margin is longer than the distance", left < 0.0);
+            let is_near = steps.is_less("the margin is longer than the distance", left, 0.0);
             let end = if is_near { 0.0 } else { left };
             steps.number("end = distance − margin, 0 at least", "m", end)
         } else {

@@ -56,7 +56,7 @@ impl Explained for SampleRect {
                 "",
                 -products.element_sum() / distance,
             );
-            if way.decides("the light turns its back to the point", cosine <= 0.0) {
+            if way.is_at_most("the light turns its back to the point", cosine, 0.0) {
                 way.remark("It is not positive: the light turns its back to the point.");
                 return None;
             }
@@ -82,7 +82,7 @@ impl Explained for SampleSphereLight {
         );
         let r = way.part("r", r);
         let d = way.number("d, the distance to the centre", "m", c.length());
-        let inside = way.decides("the point is inside of the light", d <= r);
+        let inside = way.is_at_most("the point is inside of the light", d, r);
         let height = if inside {
             way.remark("The point is inside of the light, which is seen in every direction.");
             2.0

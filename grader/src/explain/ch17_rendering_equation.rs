@@ -13,43 +13,73 @@ use raybook_workbook::exercises::ch17_rendering_equation::{
 };
 use std::f64::consts::{FRAC_1_PI, TAU};
 
+/// The cosine of the angle α between the viewer and the mirror direction of the light, from N, V and L, N·L and N·V.
+type CosAlpha = fn(&mut Way, [DVec3; 3], f64, f64) -> f64;
+
+/// cos α by the mirror direction.
+fn by_the_mirror_direction(way: &mut Way, [n, v, l]: [DVec3; 3], cosine: f64, _: f64) -> f64 {
+    let times = way.part("N·L, in 2 (N·L) N", cosine);
+    let n = way.part("N, in 2 (N·L) N", n);
+    let along = way.part("2 (N·L) N", 2.0 * times * n);
+    let l = way.part("L, in 2 (N·L) N − L", l);
+    let mirrored = way.vector("R = 2 (N·L) N − L", "", along - l);
+    let v = way.part("V, in R·V", v);
+    let products = way.part("the products that R·V adds up", mirrored * v);
+    way.number("cos α = R·V", "", products.element_sum())
+}
+
+/// The same without that direction: R·V = 2 (N·L) (N·V) − L·V.
+fn by_products(way: &mut Way, [_, v, l]: [DVec3; 3], cosine: f64, seen: f64) -> f64 {
+    let light = way.part("N·L, in 2 (N·L) (N·V)", cosine);
+    let seen = way.part("N·V, in 2 (N·L) (N·V)", seen);
+    let along = way.part("2 (N·L) (N·V)", 2.0 * light * seen);
+    let between = way.part("L·V", l.dot(v));
+    way.part("cos α = 2 (N·L) (N·V) − L·V", along - between)
+}
+
+/// The BRDF with cos α by one way or the other.
+fn brdf(asked: &BrdfPhong, way: &mut Way, cos_alpha: CosAlpha) -> Rgb {
+    let [n, v, l] = [asked.normal, asked.view, asked.toward].map(|d| d.as_dvec3());
+    let n = way.part("N", n);
+    let v = way.part("V", v);
+    let l = way.part("L", l);
+    let products = way.part("the products that N·L adds up", n * l);
+    let cosine = products.element_sum();
+    let cosine = way.number("N·L, the light's height above the surface", "", cosine);
+    let products = way.part("the products that N·V adds up", n * v);
+    let seen = way.number("N·V, the viewer's", "", products.element_sum());
+    let unlit = way.is_at_most("the light is not above the surface", cosine, 0.0);
+    let unseen = way.is_at_most("the viewer is not above the surface", seen, 0.0);
+    if unlit || unseen {
+        way.remark("One of them is not above the surface: the BRDF is 0.");
+        return Rgb::BLACK;
+    }
+    let diffuse = way.colour_part("diffuse", parts(asked.diffuse));
+    let matte = way.colour("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
+    let cos_alpha = cos_alpha(way, [n, v, l], cosine, seen);
+    if way.is_at_most("α is above 90°", cos_alpha, 0.0) {
+        way.remark("α is above 90°: there is no highlight.");
+        return colour(matte);
+    }
+    let exponent = way.part("n", f64::from(asked.exponent));
+    let two = way.part("the 2 of n + 2", 2.0_f64);
+    let more = way.part("n + 2", exponent + two);
+    let scale = way.number("(n + 2)/2π", "1/sr", more / TAU);
+    let power = way.part("n, the power of cos α", exponent);
+    let lobe = way.power("cosⁿ α", cos_alpha, power);
+    let lobe = way.number("cosⁿ α", "", lobe);
+    let specular = way.colour_part("specular", parts(asked.specular));
+    let glossy = specular * scale * lobe;
+    let glossy = way.colour("specular · (n + 2)/2π · cosⁿ α", "1/sr", glossy);
+    colour(way.colour("f = matte + highlight", "1/sr", matte + glossy))
+}
+
 impl Explained for BrdfPhong {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Rgb] =
+        &[Self::work, |asked, way| brdf(asked, way, by_products)];
+
     fn work(&self, way: &mut Way) -> Rgb {
-        let [n, v, l] = [self.normal, self.view, self.toward].map(|d| d.as_dvec3());
-        let n = way.part("N", n);
-        let v = way.part("V", v);
-        let l = way.part("L", l);
-        let products = way.part("the products that N·L adds up", n * l);
-        let cosine = products.element_sum();
-        let cosine = way.number("N·L, the light's height above the surface", "", cosine);
-        let products = way.part("the products that N·V adds up", n * v);
-        let seen = way.number("N·V, the viewer's", "", products.element_sum());
-        let unlit = way.decides("the light is not above the surface", cosine <= 0.0);
-        let unseen = way.decides("the viewer is not above the surface", seen <= 0.0);
-        if unlit || unseen {
-            way.remark("One of them is not above the surface: the BRDF is 0.");
-            return Rgb::BLACK;
-        }
-        let diffuse = way.part("diffuse", parts(self.diffuse));
-        let matte = way.vector("diffuse/π", "1/sr", diffuse * FRAC_1_PI);
-        let along = way.part("2 (N·L) N", 2.0 * cosine * n);
-        let mirrored = way.vector("R = 2 (N·L) N − L", "", along - l);
-        let products = way.part("the products that R·V adds up", mirrored * v);
-        let cos_alpha = way.number("cos α = R·V", "", products.element_sum());
-        if way.decides("α is above 90°", cos_alpha <= 0.0) {
-            way.remark("α is above 90°: there is no highlight.");
-            return colour(matte);
-        }
-        let exponent = way.part("n", f64::from(self.exponent));
-        let two = way.part("the 2 of n + 2", 2.0_f64);
-        let more = way.part("n + 2", exponent + two);
-        let scale = way.number("(n + 2)/2π", "1/sr", more / TAU);
-        let power = way.part("n, the power of cos α", exponent);
-        let lobe = way.number("cosⁿ α", "", cos_alpha.powf(power));
-        let specular = way.part("specular", parts(self.specular));
-        let glossy = specular * scale * lobe;
-        let glossy = way.vector("specular · (n + 2)/2π · cosⁿ α", "1/sr", glossy);
-        colour(way.vector("f = matte + highlight", "1/sr", matte + glossy))
+        brdf(self, way, by_the_mirror_direction)
     }
 }
 

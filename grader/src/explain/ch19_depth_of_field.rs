@@ -193,7 +193,7 @@ fn by_the_lens_equation(asked: &CircleOfConfusion, way: &mut Way) -> f32 {
     let of_point = way.part("1/x", x.recip());
     let of_tip = way.part("1/f − 1/x, 1 over the tip's distance", of_lens - of_point);
     let ratio = way.part("the film's distance over the tip's", film * of_tip);
-    let share = way.part("1 − that", 1.0 - ratio);
+    let share = way.part("1 − that ratio", 1.0 - ratio);
     let share = way.part("that without its sign", share.abs());
     let aperture = way.part("f/f_number", f / stop);
     way.part("the circle's diameter", aperture * share) as f32

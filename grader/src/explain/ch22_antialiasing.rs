@@ -16,8 +16,11 @@ use raybook_workbook::exercises::ch22_antialiasing::{
 };
 
 /// The cells of a lattice by column and row, row by row.
-fn lattice(columns: u32, rows: u32) -> impl Iterator<Item = DVec2> {
-    (0..rows).flat_map(move |j| (0..columns).map(move |i| dvec2(i.into(), j.into())))
+fn lattice(way: &mut Way, columns: u32, rows: u32) -> impl Iterator<Item = DVec2> + use<> {
+    let columns = way.rounds("the columns", columns as usize);
+    let rows = way.rounds("the rows", rows as usize);
+    let in_row = move |j| columns.clone().map(move |i| dvec2(i as f64, j as f64));
+    rows.flat_map(in_row)
 }
 
 impl Explained for RegularGrid {
@@ -39,7 +42,8 @@ impl Explained for RegularGrid {
         );
         let corner = way.part("the pixel's column and row", corner);
         way.remark("The first point, of column i = 0 and row j = 0; the others go the same way:");
-        way.of_first(lattice(self.columns, self.rows), |way, cell| {
+        let cells = lattice(way, self.columns, self.rows);
+        way.of_first(cells, |way, cell| {
             let cell = way.part("(i, j)", cell);
             let half = way.part("½ of a cell", 0.5_f64);
             let middle = way.part("(i + ½, j + ½)", cell + half);
@@ -157,7 +161,8 @@ impl Explained for Jittered {
             count.x * count.y,
         );
         way.remark("The first point, of column i = 0 and row j = 0; the others go the same way:");
-        way.of_first(lattice(self.columns, self.rows), |way, cell| {
+        let cells = lattice(way, self.columns, self.rows);
+        way.of_first(cells, |way, cell| {
             let cell = way.part("(i, j)", cell);
             let u = way.pair(
                 "(ξ₁, ξ₂), two new random numbers",
@@ -237,7 +242,8 @@ fn weight(q: &PixelAverage, offset: Vec2) -> f64 {
 impl Explained for PixelAverage {
     fn work(&self, way: &mut Way) -> Rgb {
         let (mut sum, mut weights) = (DVec3::ZERO, 0.0);
-        for (i, seen) in self.samples.iter().enumerate() {
+        for i in way.rounds("the samples", self.samples.len()) {
+            let seen = &self.samples[i];
             let offset = way.part("offset", seen.offset.as_dvec2());
             let radius = way.part("radius", f64::from(self.radius));
             let factors = way.pair(
@@ -245,25 +251,25 @@ impl Explained for PixelAverage {
                 "",
                 1.0 - offset.abs() / radius,
             );
-            let is_far = way.decides("a factor is negative", factors.min_element() < 0.0);
+            let is_far = way.is_less("a factor is negative", factors.min_element(), 0.0);
             let weight = if is_far {
                 0.0
             } else {
                 factors.element_product()
             };
             let weight = way.number("w, their product; 0 if one is negative", "", weight);
-            let light = way.part("L", parts(seen.radiance));
-            let weighted = way.vector("w L", "W·m⁻²·sr⁻¹", weight * light);
+            let light = way.colour_part("L", parts(seen.radiance));
+            let weighted = way.colour("w L", "W·m⁻²·sr⁻¹", weight * light);
             let counted = way.part("w in Σ w", weight);
             (sum, weights) = (sum + weighted, weights + counted);
         }
-        let sum = way.vector("Σ w L", "W·m⁻²·sr⁻¹", sum);
+        let sum = way.colour("Σ w L", "W·m⁻²·sr⁻¹", sum);
         let weights = way.number("Σ w", "", weights);
-        if way.decides("the weights sum up to 0", weights == 0.0) {
+        if way.is_zero("the weights sum up to 0", weights) {
             way.remark("The weights sum up to 0: black.");
             return Rgb::BLACK;
         }
-        colour(way.vector("Σ w L/Σ w", "W·m⁻²·sr⁻¹", sum / weights))
+        colour(way.colour("Σ w L/Σ w", "W·m⁻²·sr⁻¹", sum / weights))
     }
 
     fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {

@@ -10,26 +10,30 @@ use raybook_workbook::exercises::ch23_adaptive::{NeedsMore, SpendBudget};
 impl Explained for NeedsMore {
     fn work(&self, way: &mut Way) -> u32 {
         let n = self.samples.len() as f64;
-        if way.decides("there are fewer than two samples", self.samples.len() < 2) {
+        if way.is_less("there are fewer than two samples", n, 2.0) {
             way.remark("There are fewer than two samples: one knows nothing of the others.");
             return way.number("more", "", 1.0) as u32;
         }
         let samples: Vec<DVec3> = self.samples.iter().map(|sample| parts(*sample)).collect();
-        let min = samples.iter().copied().fold(DVec3::INFINITY, DVec3::min);
-        let max = samples.iter().copied().fold(DVec3::ZERO, DVec3::max);
-        let min = way.vector("min, of each channel", "W·m⁻²·sr⁻¹", min);
-        let max = way.vector("max, of each channel", "W·m⁻²·sr⁻¹", max);
-        let range = way.part("max − min", max - min);
-        let sum = way.part("max + min", max + min);
+        let asked = way.rounds("the samples, for the contrast", samples.len());
+        let asked = || samples[asked.clone()].iter().copied();
+        let min = asked().fold(DVec3::INFINITY, DVec3::min);
+        let max = asked().fold(DVec3::ZERO, DVec3::max);
+        let min = way.colour("min, of each channel", "W·m⁻²·sr⁻¹", min);
+        let max = way.colour("max, of each channel", "W·m⁻²·sr⁻¹", max);
+        let range = way.colour_part("max − min", max - min);
+        let sum = way.colour_part("max + min", max + min);
         let contrast = range / sum;
         let contrast = DVec3::select(max.cmpgt(DVec3::ZERO), contrast, DVec3::ZERO);
-        let contrast = way.vector("(max − min)/(max + min)", "", contrast);
-        let limit = way.vector("its limit", "", parts(self.contrast));
-        let weights = way.part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
+        let contrast = way.colour("(max − min)/(max + min)", "", contrast);
+        let limit = way.colour("its limit", "", parts(self.contrast));
+        let weights = way.colour_part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
         let luminance = |sample: &DVec3| sample.dot(weights);
-        let mean = samples.iter().map(luminance).sum::<f64>() / n;
+        let of_mean = way.rounds("the samples, for the mean of Y", samples.len());
+        let mean = samples[of_mean].iter().map(luminance).sum::<f64>() / n;
         let mean = way.number("the mean of Y", "W·m⁻²·sr⁻¹", mean);
-        let squares = samples
+        let of_squares = way.rounds("the samples, for the squares", samples.len());
+        let squares = samples[of_squares]
             .iter()
             .map(|sample| (luminance(sample) - mean).powi(2));
         let squares = way.part("Σ (Y − mean)²", squares.sum::<f64>());
@@ -45,8 +49,8 @@ impl Explained for NeedsMore {
         let above = contrast.cmpgt(limit);
         let above: [bool; 3] = above.into();
         let by_contrast = way.any("the contrast of a channel is above its limit", &above);
-        let above = error > f64::from(self.error);
-        let by_error = way.decides("the error is above its limit", above);
+        let most = way.part("the error's limit", f64::from(self.error));
+        let by_error = way.is_less("the error is above its limit", most, error);
         way.remark(match (by_contrast, by_error) {
             (true, _) => "The contrast of a channel is above its limit.",
             (false, true) => "No contrast is above its limit, but the error is above its own.",

@@ -116,6 +116,9 @@ impl Comparison {
     }
 }
 
+/// What is made of two numbers that are compared.
+pub type Sides = fn(f64, f64) -> [f64; 2];
+
 /// What is made of what holds or does not, each by itself, where one that holds is enough.
 pub type Among = fn(&[bool]) -> bool;
 
@@ -137,6 +140,8 @@ pub enum Slip {
         at: Place,
         /// The step whose value is taken.
         of: Place,
+        /// For which of the value's numbers; for all of them if none is given.
+        only: Option<usize>,
     },
     /// The last value of another step, as in `Other`, goes into the value.
     Mix {
@@ -161,6 +166,8 @@ pub enum Slip {
     Among(Place, Among),
     /// Two numbers that differ by less than this are taken for equal.
     Near(Place, f64),
+    /// Of two numbers that are compared another is made.
+    Sides(Place, Sides),
     /// Equal numbers are compared by < for ≤, or the other way round.
     Tie(Place),
     /// An operation is forgotten.
@@ -182,6 +189,7 @@ impl Slip {
             | Self::Decision(at, _)
             | Self::Among(at, _)
             | Self::Near(at, _)
+            | Self::Sides(at, _)
             | Self::Tie(at)
             | Self::Forgotten(at)
             | Self::Rounds(at, _) => at,
@@ -195,6 +203,10 @@ impl Slip {
         }
         match (*self, of) {
             (Self::Decision(_, decide), _) => decide(holds),
+            (Self::Sides(_, make), Some(of)) => {
+                let [one, other] = make(of.one, of.other);
+                Comparison { one, other, ..of }.holds()
+            }
             (Self::Tie(_), Some(of)) if of.one == of.other => !of.equal_counts,
             (Self::Near(_, least), Some(of)) if (of.one - of.other).abs() < least => {
                 of.equal_counts

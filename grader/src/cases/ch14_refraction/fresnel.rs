@@ -262,6 +262,14 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
+            name: "takes n₁/n₂ cos θ₁ for cos θ₂, as if Snell's law were one of cosines",
+            hint: "Snell's law is about the angles' sines: how do you come from a cosine to a sine, and back?",
+            answer: |q| match cos2(q) {
+                Some(_) => shares(q.n1, q.cos1, q.n2, q.n1 / q.n2 * q.cos1),
+                None => Fresnel::answer(q),
+            },
+        },
+        Mistake {
             name: "takes the shares of light that arrives straight, at any angle",
             hint: "Look along a window: does it mirror as little as when you look straight into it?",
             answer: |q| {

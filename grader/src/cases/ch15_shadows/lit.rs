@@ -191,7 +191,7 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "starts below its own surface, on the side away from the light",
+            name: "finds its own sphere in the way: starts below its surface, or takes the sphere for larger than it is",
             hint: "On which side of the surface is the light, and to which side do you step off it?",
             answer: |q| {
                 let own = q.spheres.iter().any(|ball| {
@@ -240,6 +240,25 @@ impl Graded for Lit {
             name: "looks at the first metre of the way only",
             hint: "The light is farther away than a metre: where does your interval end, and how long is the direction that it belongs to?",
             answer: |q| Self::misread(q, |q| q.distance = q.distance.min(1.0)),
+        },
+        Mistake {
+            name: "skips the first metre of the way",
+            hint: "A sphere may stand close to the surface: how far from it does your way to the light begin?",
+            answer: |q| {
+                let way = shadow(q);
+                let later = Lit {
+                    position: way.origin,
+                    ..q.clone()
+                };
+                u32::from(!blocked(
+                    &later,
+                    &q.spheres,
+                    Interval {
+                        min: 1.0,
+                        ..way.within
+                    },
+                ))
+            },
         },
         Mistake {
             name: "leaves out a sphere whose middle is not between the point and the light",

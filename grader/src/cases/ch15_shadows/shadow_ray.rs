@@ -58,6 +58,35 @@ impl Graded for ShadowRay {
         ends_before(q, got)
     }
 
+    /// What is right of a ray, its start, its direction or its end, as the reference has it: how far off the surface a ray starts, and
+    /// how long before the light it ends, is everybody's own choice.
+    fn canonical(q: &ShadowRay, got: Way) -> Way {
+        let right = ShadowRay::answer(q);
+        let given = judge::direction("the ray", right.direction, got.direction);
+        let is_aimed = given.is_ok() || aimed_anew(q, &got).is_some();
+        let (starts, ends) = (starts_off(q, &got).is_ok(), ends_before(q, &got).is_ok());
+        Way {
+            origin: if starts { right.origin } else { got.origin },
+            direction: if is_aimed {
+                right.direction
+            } else {
+                got.direction
+            },
+            within: Interval {
+                min: if starts {
+                    right.within.min
+                } else {
+                    got.within.min
+                },
+                max: if ends {
+                    right.within.max
+                } else {
+                    got.within.max
+                },
+            },
+        }
+    }
+
     const FLAWS: &'static [Flaw] = &[
         Flaw {
             complaint: "starts nowhere",
@@ -177,6 +206,11 @@ impl Graded for ShadowRay {
                     ..right
                 }
             },
+        },
+        Mistake {
+            name: "ends the interval at 1, wherever the light is",
+            hint: "The ray's direction has length 1: at which t is the light?",
+            answer: |q| ending(q, 1.0),
         },
         Mistake {
             name: "ends the interval at the square of the light's distance",

@@ -57,6 +57,28 @@ impl Graded for CircleOfConfusion {
             answer: |q| (q.focus / q.distance - 1.0) * q.lens().aperture() * q.magnification(),
         },
         Mistake {
+            name: "returns 0 on the far side of the focus",
+            hint: "What is behind the plane in focus is not sharp either: what becomes of a negative difference?",
+            answer: |q| {
+                if q.distance > q.focus {
+                    0.0
+                } else {
+                    CircleOfConfusion::answer(q)
+                }
+            },
+        },
+        Mistake {
+            name: "returns 0 on the near side of the focus",
+            hint: "What is before the plane in focus is not sharp either: what becomes of a negative difference?",
+            answer: |q| {
+                if q.distance < q.focus {
+                    0.0
+                } else {
+                    CircleOfConfusion::answer(q)
+                }
+            },
+        },
+        Mistake {
             name: "returns the radius",
             hint: "How much of the disc's diameter lies between its middle and its edge?",
             answer: |q| 0.5 * Self::answer(q),

@@ -96,7 +96,7 @@ impl Graded for RandomPattern {
             hint: "Does a point know where the others are? Independent numbers make crowds and leave gaps.",
         },
         Flaw {
-            complaint: "different x",
+            complaint: "points have only",
             name: "chooses from a few places only",
             hint: "How many different values can each of your coordinates have?",
         },
@@ -255,16 +255,18 @@ impl Graded for RandomPattern {
 fn few_places(points: &[Vec2]) -> Verdict {
     /// Fewer different values are a single point that comes again; whoever rounds leaves more of them.
     const VALUES: usize = 4;
-    let mut xs: Vec<_> = points.iter().map(|p| p.x).collect();
-    xs.sort_by(f32::total_cmp);
-    xs.dedup();
-    // 1000 points of which many print only four digits have still nine different ones in ten.
-    if xs.len() >= VALUES && 4 * xs.len() < 3 * points.len() {
-        return Err(format!(
-            "the {} points have only {} different x",
-            points.len(),
-            xs.len()
-        ));
+    for (axis, name) in ["x", "y"].into_iter().enumerate() {
+        let mut all: Vec<_> = points.iter().map(|p| p[axis]).collect();
+        all.sort_by(f32::total_cmp);
+        all.dedup();
+        // 1000 points of which many print only four digits have still nine different ones in ten.
+        if all.len() >= VALUES && 4 * all.len() < 3 * points.len() {
+            return Err(format!(
+                "the {} points have only {} different {name}",
+                points.len(),
+                all.len()
+            ));
+        }
     }
     Ok(())
 }

@@ -135,6 +135,11 @@ impl Graded for NeedsMore {
             },
         },
         Mistake {
+            name: "leaves out the contrast of blue",
+            hint: "Each of the three channels has a limit of its own: which of them does your loop come to?",
+            answer: |q| Self::misread(q, |q| q.contrast.b = f32::INFINITY),
+        },
+        Mistake {
             name: "looks at the contrast of the luminance only",
             hint: "Red letters on a green wall that is just as bright: does the luminance differ at all?",
             answer: |q| {

@@ -22,8 +22,8 @@ pub struct Score {
     pub tells: f64,
     /// Whether the answers are estimates, which scatter.
     pub is_rough: bool,
-    /// Whether the answers are estimates, which scatter, and leave it in doubt: they are few, or on the whole larger or smaller than it
-    /// says, as those of a mistake that is nearly the same.
+    /// Whether something leaves it in doubt: the answers are estimates, which scatter, and are few, or on the whole larger or smaller
+    /// than it says, as those of a mistake that is nearly the same; or other numbers may have been compared with the same outcome.
     pub is_doubtful: bool,
 }
 

@@ -257,10 +257,15 @@ impl Maker<'_, '_> {
     /// How many different numbers the right values hold, without those that many functions leave as they are or exchange; of whole
     /// numbers, these too.
     fn different(&self) -> usize {
+        self.different_of(|v| v)
+    }
+
+    /// How many different numbers a function makes of them.
+    fn different_of(&self, of: fn(f64) -> f64) -> usize {
         let numbers = self.pairs.iter().flat_map(|pair| &pair.base);
         let tells = |v: &&f64| self.is_whole() || ![0.0, 1.0, -1.0].contains(*v);
-        let mut numbers: Vec<_> = numbers.filter(tells).collect();
-        numbers.sort_by(|a, b| a.total_cmp(b));
+        let mut numbers: Vec<_> = numbers.filter(tells).map(|v| of(*v)).collect();
+        numbers.sort_by(f64::total_cmp);
         numbers.dedup();
         numbers.len()
     }
@@ -292,6 +297,11 @@ impl Maker<'_, '_> {
             };
             // There are no pairs of estimates, which scatter.
             if !self.pairs.is_empty() && different < needed {
+                continue;
+            }
+            // One number for all of them is no rare function of theirs: the sign of distances is 1.
+            let is_rare = function.rank > COMMON && !is_constant;
+            if is_rare && different > 1 && self.different_of(function.of) < 2 {
                 continue;
             }
             let name = function.name.replace("the answer", &self.of);

@@ -1,14 +1,15 @@
 //! What people make of a step's value, of a power, of several things and of the rounds of a loop.
 
-use crate::explain::slip::{Among, Change, Earlier, Powers, Rounds};
+use crate::explain::slip::{Among, Change, Earlier, Powers, Rounds, Sides};
+use crate::explain::way::Axes;
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
 
 /// What is often made of a value of a certain size.
 pub struct Common {
     /// How many numbers the value has; none stands for any number of them.
     sizes: &'static [usize],
-    /// In words.
-    pub name: &'static str,
+    /// In words; {0}, {1} and {2} stand for what the numbers are called.
+    name: &'static str,
     /// How common it is.
     pub rank: u32,
     /// What is made.
@@ -19,6 +20,21 @@ impl Common {
     /// Whether it is made of values of this size.
     pub fn suits(&self, size: usize) -> bool {
         self.sizes.is_empty() || self.sizes.contains(&size)
+    }
+
+    /// In words, of a value whose numbers have these names.
+    pub fn called(&self, axes: Axes) -> String {
+        let called =
+            |name: String, (i, axis): (usize, &&str)| name.replace(&format!("{{{i}}}"), axis);
+        axes.iter().enumerate().fold(self.name.to_owned(), called)
+    }
+}
+
+/// Gives a vector this length.
+fn lengthen(v: &mut [f64], length: f64) {
+    let own = v.iter().map(|v| v * v).sum::<f64>().sqrt();
+    for v in v {
+        *v *= length / own;
     }
 }
 
@@ -38,7 +54,7 @@ common! {
     [] 9 "takes a quarter of the value": Each |v| 0.25 * v;
     [] 10 "takes 3 times the value": Each |v| 3.0 * v;
     [] 10 "takes a third of the value": Each |v| v / 3.0;
-    [] 11 "takes 1½ times the value": Each |v| 1.5 * v;
+    [] 12 "takes 1½ times the value": Each |v| 1.5 * v;
     [] 12 "takes 10 times the value": Each |v| 10.0 * v;
     [] 12 "takes a tenth of the value": Each |v| 0.1 * v;
     [] 12 "takes 8 times the value": Each |v| 8.0 * v;
@@ -51,60 +67,66 @@ common! {
     [] 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
     [1 2] 11 "takes the value plus 1": Each |v| v + 1.0;
     [1 2] 11 "takes the value minus 1": Each |v| v - 1.0;
-    [1 2] 11 "takes the value plus ½": Each |v| v + 0.5;
-    [1 2] 11 "takes the value minus ½": Each |v| v - 0.5;
+    [1 2] 12 "takes the value plus ½": Each |v| v + 0.5;
+    [1 2] 12 "takes the value minus ½": Each |v| v - 0.5;
     [1 2] 12 "takes the value plus 2": Each |v| v + 2.0;
     [1 2] 12 "takes the value minus 2": Each |v| v - 2.0;
     [] 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
     [] 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
     [2] 10 "exchanges both numbers": Together |v| v.swap(0, 1);
-    [2] 11 "has the sign of the first number wrong": Together |v| v[0] = -v[0];
-    [2] 11 "has the sign of the second number wrong": Together |v| v[1] = -v[1];
-    [2] 12 "takes the first number twice": Together |v| v[1] = v[0];
-    [2] 12 "takes the second number twice": Together |v| v[0] = v[1];
-    [2] 12 "takes 0 for the first number": Together |v| v[0] = 0.0;
-    [2] 12 "takes 0 for the second number": Together |v| v[1] = 0.0;
-    [2] 11 "takes one more for the first number": Together |v| v[0] += 1.0;
-    [2] 11 "takes one less for the first number": Together |v| v[0] -= 1.0;
-    [2] 11 "takes one more for the second number": Together |v| v[1] += 1.0;
-    [2] 11 "takes one less for the second number": Together |v| v[1] -= 1.0;
-    [2] 12 "counts the first number from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
-    [2] 12 "counts the second number from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
-    [3] 11 "has the sign of x wrong": Together |v| v[0] = -v[0];
-    [3] 11 "has the sign of y wrong": Together |v| v[1] = -v[1];
-    [3] 11 "has the sign of z wrong": Together |v| v[2] = -v[2];
-    [3] 11 "exchanges x and y": Together |v| v.swap(0, 1);
-    [3] 11 "exchanges x and z": Together |v| v.swap(0, 2);
-    [3] 11 "exchanges y and z": Together |v| v.swap(1, 2);
-    [3] 12 "takes (y, z, x) for (x, y, z)": Together |v| v.rotate_left(1);
-    [3] 12 "takes (z, x, y) for (x, y, z)": Together |v| v.rotate_right(1);
-    [3] 12 "takes x for all three": Together |v| v.fill(v[0]);
-    [3] 12 "takes y for all three": Together |v| v.fill(v[1]);
-    [3] 12 "takes z for all three": Together |v| v.fill(v[2]);
-    [3] 13 "takes twice x": Together |v| v[0] *= 2.0;
-    [3] 13 "takes twice y": Together |v| v[1] *= 2.0;
-    [3] 13 "takes twice z": Together |v| v[2] *= 2.0;
-    [3] 13 "takes y for x": Together |v| v[0] = v[1];
-    [3] 13 "takes z for x": Together |v| v[0] = v[2];
-    [3] 13 "takes x for y": Together |v| v[1] = v[0];
-    [3] 13 "takes z for y": Together |v| v[1] = v[2];
-    [3] 13 "takes x for z": Together |v| v[2] = v[0];
-    [3] 13 "takes y for z": Together |v| v[2] = v[1];
-    [3] 12 "takes 0 for x": Together |v| v[0] = 0.0;
-    [3] 12 "takes 0 for y": Together |v| v[1] = 0.0;
-    [3] 12 "takes 0 for z": Together |v| v[2] = 0.0;
-    [3] 12 "takes 1 for x": Together |v| v[0] = 1.0;
-    [3] 12 "takes 1 for y": Together |v| v[1] = 1.0;
-    [3] 12 "takes 1 for z": Together |v| v[2] = 1.0;
-    [3] 12 "takes the absolute value of x": Together |v| v[0] = v[0].abs();
-    [3] 12 "takes the absolute value of y": Together |v| v[1] = v[1].abs();
-    [3] 12 "takes the absolute value of z": Together |v| v[2] = v[2].abs();
-    [3] 10 "normalises the value": Together |v| {
-        let length = v.iter().map(|v| v * v).sum::<f64>().sqrt();
-        for v in v {
-            *v /= length;
-        }
+    [2] 11 "has the sign of {0} wrong": Together |v| v[0] = -v[0];
+    [2] 11 "has the sign of {1} wrong": Together |v| v[1] = -v[1];
+    [2] 12 "takes {0} twice": Together |v| v[1] = v[0];
+    [2] 12 "takes {1} twice": Together |v| v[0] = v[1];
+    [2] 12 "takes 0 for {0}": Together |v| v[0] = 0.0;
+    [2] 12 "takes 0 for {1}": Together |v| v[1] = 0.0;
+    [2] 11 "takes one more for {0}": Together |v| v[0] += 1.0;
+    [2] 11 "takes one less for {0}": Together |v| v[0] -= 1.0;
+    [2] 11 "takes one more for {1}": Together |v| v[1] += 1.0;
+    [2] 11 "takes one less for {1}": Together |v| v[1] -= 1.0;
+    [2] 12 "counts {0} from the other end: 1 minus it": Together |v| v[0] = 1.0 - v[0];
+    [2] 12 "counts {1} from the other end: 1 minus it": Together |v| v[1] = 1.0 - v[1];
+    [3] 11 "has the sign of {0} wrong": Together |v| v[0] = -v[0];
+    [3] 11 "has the sign of {1} wrong": Together |v| v[1] = -v[1];
+    [3] 11 "has the sign of {2} wrong": Together |v| v[2] = -v[2];
+    [3] 11 "exchanges {0} and {1}": Together |v| v.swap(0, 1);
+    [3] 11 "exchanges {0} and {2}": Together |v| v.swap(0, 2);
+    [3] 11 "exchanges {1} and {2}": Together |v| v.swap(1, 2);
+    [3] 12 "takes ({1}, {2}, {0}) for ({0}, {1}, {2})": Together |v| v.rotate_left(1);
+    [3] 12 "takes ({2}, {0}, {1}) for ({0}, {1}, {2})": Together |v| v.rotate_right(1);
+    [3] 12 "takes {0} for all three": Together |v| v.fill(v[0]);
+    [3] 12 "takes {1} for all three": Together |v| v.fill(v[1]);
+    [3] 12 "takes {2} for all three": Together |v| v.fill(v[2]);
+    [3] 13 "takes twice {0}": Together |v| v[0] *= 2.0;
+    [3] 13 "takes twice {1}": Together |v| v[1] *= 2.0;
+    [3] 13 "takes twice {2}": Together |v| v[2] *= 2.0;
+    [3] 13 "takes {1} for {0}": Together |v| v[0] = v[1];
+    [3] 13 "takes {2} for {0}": Together |v| v[0] = v[2];
+    [3] 13 "takes {0} for {1}": Together |v| v[1] = v[0];
+    [3] 13 "takes {2} for {1}": Together |v| v[1] = v[2];
+    [3] 13 "takes {0} for {2}": Together |v| v[2] = v[0];
+    [3] 13 "takes {1} for {2}": Together |v| v[2] = v[1];
+    [3] 12 "takes 0 for {0}": Together |v| v[0] = 0.0;
+    [3] 12 "takes 0 for {1}": Together |v| v[1] = 0.0;
+    [3] 12 "takes 0 for {2}": Together |v| v[2] = 0.0;
+    [3] 13 "takes 0 for all but {0}": Together |v| v[1..].fill(0.0);
+    [3] 13 "takes 0 for all but {1}": Together |v| (v[0], v[2]) = (0.0, 0.0);
+    [3] 13 "takes 0 for all but {2}": Together |v| v[..2].fill(0.0);
+    [3] 12 "takes 1 for {0}": Together |v| v[0] = 1.0;
+    [3] 12 "takes 1 for {1}": Together |v| v[1] = 1.0;
+    [3] 12 "takes 1 for {2}": Together |v| v[2] = 1.0;
+    [3] 12 "takes the absolute value of {0}": Together |v| v[0] = v[0].abs();
+    [3] 12 "takes the absolute value of {1}": Together |v| v[1] = v[1].abs();
+    [3] 12 "takes the absolute value of {2}": Together |v| v[2] = v[2].abs();
+    [3] 12 "takes the sum of the absolute values for its length": Together |v| {
+        let sum = v.iter().map(|v| v.abs()).sum();
+        lengthen(v, sum);
     };
+    [3] 13 "takes the largest of the absolute values for its length": Together |v| {
+        let largest = v.iter().map(|v| v.abs()).fold(0.0, f64::max);
+        lengthen(v, largest);
+    };
+    [3] 10 "normalises the value": Together |v| lengthen(v, 1.0);
 }
 
 /// What people make of a base and an exponent: how common it is, in words, and the number.
@@ -189,6 +211,30 @@ pub const ROUNDS: &[(u32, &str, Rounds)] = &[
     (10, "ends after the first of", |all| {
         all.start..all.end.min(1)
     }),
+    (11, "ends after the second of", |all| {
+        all.start..all.end.min(2)
+    }),
+];
+
+/// What people make of two numbers that they compare: how common it is, in words before what is decided, and the numbers.
+pub const SIDES: &[(u32, &str, Sides)] = &[
+    (10, "compares a square with what is no square", |a, b| {
+        [a * a, b]
+    }),
+    (10, "compares a root with what is no root", |a, b| {
+        [a.max(0.0).sqrt(), b]
+    }),
+    (10, "compares what is no square with a square", |a, b| {
+        [a, b * b]
+    }),
+    (11, "compares the absolute value", |a, b| [a.abs(), b]),
+    (11, "compares with twice the number", |a, b| [a, 2.0 * b]),
+    (11, "compares with half of the number", |a, b| [a, 0.5 * b]),
+    (11, "compares with the negative number", |a, b| [a, -b]),
+    (12, "compares with 1 more", |a, b| [a, b + 1.0]),
+    (12, "compares with 1 less", |a, b| [a, b - 1.0]),
+    (12, "compares with ½ more", |a, b| [a, b + 0.5]),
+    (12, "compares with ½ less", |a, b| [a, b - 0.5]),
 ];
 
 /// Thresholds that people write for 0; of those that explain the answers the largest is told.

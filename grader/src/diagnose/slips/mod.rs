@@ -11,7 +11,7 @@ use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
-use habits::{AMONG, COMMON, EARLIER, NEAR, POWERS, ROUNDS};
+use habits::{AMONG, COMMON, EARLIER, NEAR, POWERS, ROUNDS, SIDES};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -53,6 +53,11 @@ impl Slipped {
         let both = [self.slip, other.slip];
         let mut way = Way::with_both(both).no_longer_than(self.most);
         attempt(|| (self.explainer.work)(self.way, question, &mut way))
+    }
+
+    /// Whether other slips have the same answers: what is compared shows only in what is decided.
+    pub fn is_doubtful(&self) -> bool {
+        matches!(self.slip, Slip::Sides(..))
     }
 
     /// Whether another slip can be made on the same way.
@@ -176,6 +181,8 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
+    // Of yes and no a decision or a loop is rather wrong than a number.
+    let seldom = if evidence.tells_much() { 0 } else { 2 };
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
@@ -183,7 +190,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
-            add(name, hint, rank, Slip::Value(at, change));
+            add(name, hint, rank + seldom, Slip::Value(at, change));
         }
         for (rank, what, from) in EARLIER {
             let name = format!("takes for “{name}” {what}");
@@ -198,8 +205,15 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
                 // What has another unit or another number of components is seldom taken by mistake.
                 let is_alike = other.unit == step.unit && other.value.len() == step.value.len();
                 let rank = if is_alike { 12 } else { 13 };
+                let other = |only| Slip::Other { at, of, only };
+                for (i, axis) in step.axes.iter().enumerate().filter(|_| is_alike) {
+                    if rank + 2 <= rarest {
+                        let name = format!("{name}, in {axis} only");
+                        add(name, hint, rank + 2, other(Some(i)));
+                    }
+                }
                 if rank <= rarest {
-                    add(name, hint, rank, Slip::Other { at, of });
+                    add(name, hint, rank, other(None));
                 }
             }
         }
@@ -249,6 +263,10 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
             add(tie, CONDITION, 10, Slip::Tie(place));
+            for (rank, what, of) in SIDES {
+                let sides = format!("{what} when it decides whether {name}");
+                add(sides, CONDITION, *rank, Slip::Sides(place, *of));
+            }
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
                     "takes a difference of less than {least} for none when it decides whether {name}"
@@ -315,7 +333,7 @@ fn changes(
 ) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
     let size = step.value.len();
     let common = COMMON.iter().filter(move |one| one.suits(size));
-    let common = common.map(|one| (one.name.to_owned(), None, one.rank, one.change));
+    let common = common.map(|one| (one.called(step.axes), None, one.rank, one.change));
     let functions = FUNCTIONS
         .iter()
         .filter(move |one| one.suits(&step.value, step.unit, has_angles));

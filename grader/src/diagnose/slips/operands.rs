@@ -72,34 +72,34 @@ pub fn operations(
             }
             let operand = power(&base, &doubled).map(Operand::Factor);
             let operand = operand.or_else(|| factor(&base, &moved).map(Operand::Summand));
-            found.extend(operand.map(|operand| (at.place, at.value.len(), operand)));
+            found.extend(operand.map(|operand| (*at, operand)));
         }
         all.push((touched, *of, found));
     }
     all.sort_by_key(|(touched, ..)| *touched);
     let mut operations = Vec::new();
     for (_, of, found) in &all {
-        for (at, size, operand) in found {
+        for (at, operand) in found {
             for (name, rank, how) in operand.slips(&super::short(of)) {
                 let mut add = |name: String, rank, only| {
                     let of = of.place;
-                    let at = *at;
+                    let at = at.place;
                     let slip = Slip::Mix { at, of, how, only };
                     operations.push((at, Operation { name, rank, slip }));
                 };
-                for (i, only) in components(*size).iter().enumerate() {
-                    add(format!("{name}, {only}"), rank + 3, Some(i));
+                for (i, axis) in at.axes.iter().enumerate() {
+                    add(format!("{name}, in {axis} only"), rank + 3, Some(i));
                 }
                 add(name, rank, None);
             }
         }
     }
-    let goes_in = |(_, of, found): &(usize, &Step, Vec<(Place, usize, Operand)>)| {
+    let goes_in = |(_, of, found): &(usize, &Step, Vec<(&Step, Operand)>)| {
         let (of, name) = (of.place, super::short(of));
-        let into = found.iter().map(move |(at, _, how)| Input {
+        let into = found.iter().map(move |(at, how)| Input {
             of,
             name: name.clone(),
-            at: *at,
+            at: at.place,
             how: *how,
         });
         into.collect::<Vec<_>>()
@@ -152,15 +152,6 @@ fn foreign(at: &Step, of: &Step) -> Vec<Operation> {
         .filter(|(fits, ..)| *fits)
         .map(slip)
         .collect()
-}
-
-/// What the numbers of a value are called, where there are several.
-fn components(size: usize) -> &'static [&'static str] {
-    match size {
-        2 => &["in the first number only", "in the second number only"],
-        3 => &["in x only", "in y only", "in z only"],
-        _ => &[],
-    }
 }
 
 /// The numbers of one question's walk at one step, at all times that it is gone; none if the walk does not end.

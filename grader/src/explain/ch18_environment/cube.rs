@@ -18,16 +18,24 @@ impl Explained for DirectionToCube {
             "It belongs to face {face}, which is {}.",
             FACES[face]
         ));
-        let (towards, right, down) = match face {
-            0 => ("(z, −y)", d.z, -d.y),
-            1 => ("(−z, −y)", -d.z, -d.y),
-            2 => ("(x, −z)", d.x, -d.z),
-            3 => ("(x, z)", d.x, d.z),
-            4 => ("(−x, −y)", -d.x, -d.y),
-            _ => ("(x, −y)", d.x, -d.y),
+        // Each face has a line of its own, and its own slips.
+        let along: DVec2 = match face {
+            0 => way.pair("to the right and down on +x: (z, −y)", "", dvec2(d.z, -d.y)),
+            1 => way.pair(
+                "to the right and down on −x: (−z, −y)",
+                "",
+                dvec2(-d.z, -d.y),
+            ),
+            2 => way.pair("to the right and down on +y: (x, −z)", "", dvec2(d.x, -d.z)),
+            3 => way.pair("to the right and down on −y: (x, z)", "", dvec2(d.x, d.z)),
+            4 => way.pair(
+                "to the right and down on +z: (−x, −y)",
+                "",
+                dvec2(-d.x, -d.y),
+            ),
+            _ => way.pair("to the right and down on −z: (x, −y)", "", dvec2(d.x, -d.y)),
         };
-        let name = format!("to the right and down on this face: {towards}");
-        let along: DVec2 = way.pair(name, "", dvec2(right, down));
+        let along = way.part("that, on any face", along);
         let along = way.part("that/|m|", along / m.abs());
         let place = way.pair("(u, v) = ½ + ½ · that/|m|", "", 0.5 + 0.5 * along);
         let face = way.part("the face's number", face as f64);

@@ -42,8 +42,10 @@ impl Tracer<'_> {
                 0.5 * from_below,
             );
             let backdrop = &self.scene.backdrop;
-            let seen = parts(backdrop.below).lerp(parts(backdrop.above), height);
-            return way.vector("the backdrop", "W·m⁻²·sr⁻¹", seen);
+            let below = way.colour_part("the radiance from below", parts(backdrop.below));
+            let above = way.colour_part("the radiance from above", parts(backdrop.above));
+            let seen = below.lerp(above, height);
+            return way.colour("the backdrop", "W·m⁻²·sr⁻¹", seen);
         };
         let thing = &self.scene.objects[object];
         let kind = match thing.form {
@@ -72,9 +74,9 @@ impl Tracer<'_> {
         match &thing.matter {
             Matter::Phong(phong) => self.lit(way, phong, [p, n, -line.direction]),
             Matter::Mirror(mirror) => {
-                let share = parts(mirror.share);
+                let share = way.colour_part("the mirror's share", parts(mirror.share));
                 let seen = self.mirrored(way, line, [p, n], depth);
-                way.vector("the mirror's share of that", "W·m⁻²·sr⁻¹", share * seen)
+                way.colour("the mirror's share of that", "W·m⁻²·sr⁻¹", share * seen)
             }
             Matter::Glass(clear) => {
                 let index = f64::from(clear.index);
@@ -91,16 +93,18 @@ impl Tracer<'_> {
 
     /// What a Phong surface sends to the viewer.
     fn lit(&mut self, way: &mut Way, phong: &Phong, [p, n, view]: [DVec3; 3]) -> DVec3 {
-        let ambient = parts(phong.ambient) * parts(self.scene.ambient);
-        let mut sum = way.vector("k_a i_a", "W·m⁻²·sr⁻¹", ambient);
-        let matte = way.part("k_d", parts(phong.diffuse));
-        let shiny = way.part("k_s", parts(phong.specular));
+        let own = way.colour_part("k_a", parts(phong.ambient));
+        let ambient = own * way.colour_part("i_a", parts(self.scene.ambient));
+        let mut sum = way.colour("k_a i_a", "W·m⁻²·sr⁻¹", ambient);
+        let matte = way.colour_part("k_d", parts(phong.diffuse));
+        let shiny = way.colour_part("k_s", parts(phong.specular));
         let exponent = way.part("α", f64::from(phong.exponent));
-        for (i, lamp) in self.scene.lamps.iter().enumerate() {
+        for i in way.rounds("the lamps", self.scene.lamps.len()) {
+            let lamp = &self.scene.lamps[i];
             let to = lamp.position.as_dvec3() - p;
             let (distance, toward) = (to.length(), to.normalize_or(n));
             let lambert = way.number(format!("lamp {i}: L·N"), "", toward.dot(n));
-            if way.decides("the lamp is behind the surface", lambert <= 0.0) {
+            if way.is_at_most("the lamp is behind the surface", lambert, 0.0) {
                 way.remark("The lamp is behind the surface.");
                 continue;
             }
@@ -124,33 +128,34 @@ impl Tracer<'_> {
                 ));
                 continue;
             }
-            let intensity = parts(lamp.intensity);
+            let intensity = way.colour_part("I", parts(lamp.intensity));
             let distance = way.part("r, the distance to the lamp", distance);
             let square = way.part("r²", distance * distance);
-            let arriving = way.vector("I/r²", "W/m²", intensity / square);
+            let arriving = way.colour("I/r²", "W/m²", intensity / square);
             let mirrored = way.part("R = 2 (L·N) N − L", 2.0 * lambert * n - toward);
             let cosine = way.number("R·V", "", mirrored.dot(view));
-            let is_behind = way.decides("the highlight is on the other side", cosine <= 0.0);
+            let is_behind = way.is_at_most("the highlight is on the other side", cosine, 0.0);
             let cosine = if is_behind { 0.0 } else { cosine };
             let power = way.part("(R·V)^α", cosine.powf(exponent));
             let height = way.part("L·N in the diffuse part", lambert);
             let light = (matte * height + shiny * power) * arriving;
-            sum += way.vector("(k_d (L·N) + k_s (R·V)^α) I/r²", "W·m⁻²·sr⁻¹", light);
+            sum += way.colour("(k_d (L·N) + k_s (R·V)^α) I/r²", "W·m⁻²·sr⁻¹", light);
         }
-        way.vector("the surface's radiance, the sum", "W·m⁻²·sr⁻¹", sum)
+        way.colour("the surface's radiance, the sum", "W·m⁻²·sr⁻¹", sum)
     }
 
     fn mirrored(&mut self, way: &mut Way, line: Line, [p, n]: [DVec3; 2], depth: u32) -> DVec3 {
         let d = line.direction;
         let across = way.part("2 (d·n) n", 2.0 * d.dot(n) * n);
         let direction = way.vector("the mirror direction d − 2 (d·n) n", "", d - across);
+        let left = way.part("the depth that is left for what is mirrored", left(depth));
         self.radiance(
             way,
             Line {
                 origin: p,
                 direction,
             },
-            depth - 1,
+            lower(depth, left),
         )
     }
 
@@ -171,7 +176,7 @@ impl Tracer<'_> {
         let factor = way.part("η²", eta * eta);
         let sine = way.part("1 − cos²θ₁", 1.0 - cos1 * cos1);
         let squared = way.number("cos²θ₂ = 1 − η² (1 − cos²θ₁)", "", 1.0 - factor * sine);
-        let is_total = way.decides("the ray is totally reflected", squared <= 0.0);
+        let is_total = way.is_at_most("the ray is totally reflected", squared, 0.0);
         let cos2 = way.part("cos θ₂", squared.max(0.0).sqrt());
         let share = if is_total {
             1.0
@@ -201,6 +206,7 @@ impl Tracer<'_> {
             let direction = (along + across * n).normalize_or(d);
             let direction = way.vector("the refracted direction", "", direction);
             let rest = way.part("1 − R", 1.0 - share);
+            let left = way.part("the depth that is left behind the surface", left(depth));
             sum += rest
                 * self.radiance(
                     way,
@@ -208,11 +214,21 @@ impl Tracer<'_> {
                         origin: p,
                         direction,
                     },
-                    depth - 1,
+                    lower(depth, left),
                 );
         }
-        way.vector("R · the one + (1 − R) · the other", "W·m⁻²·sr⁻¹", sum)
+        way.colour("R · the one + (1 − R) · the other", "W·m⁻²·sr⁻¹", sum)
     }
+}
+
+/// The number of surfaces that may still be met behind one.
+fn left(depth: u32) -> f64 {
+    f64::from(depth - 1)
+}
+
+/// The same as a depth: with a slip as well it is lower than the one before, so that the way has an end.
+fn lower(depth: u32, left: f64) -> u32 {
+    left.clamp(0.0, f64::from(depth - 1)) as u32
 }
 
 /// The parts of the way, and the radiance.

@@ -8,7 +8,8 @@ use super::slip::{Place, Slip, end_if_endless};
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::ops::Range;
-pub use step::{Step, Value, words};
+use step::Colour;
+pub use step::{Axes, Step, Value, words};
 pub use walked::{Asks, Decision, Loop, Operation, Walked};
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
@@ -101,6 +102,18 @@ impl Way {
         self.add(name, unit, v, true)
     }
 
+    /// A colour: light, or a share of light, in red, green and blue.
+    #[track_caller]
+    pub fn colour(&mut self, name: &'static str, unit: &'static str, v: DVec3) -> DVec3 {
+        self.add(name, unit, Colour(v), true).0
+    }
+
+    /// A colour that is not worth a line of its own.
+    #[track_caller]
+    pub fn colour_part(&mut self, name: &'static str, v: DVec3) -> DVec3 {
+        self.add(name, "", Colour(v), false).0
+    }
+
     /// Two numbers that belong together.
     #[track_caller]
     pub fn pair(
@@ -127,6 +140,7 @@ impl Way {
                 name: sentence.into(),
                 value: Vec::new(),
                 unit: "",
+                axes: &[],
                 place: Place::here(),
                 is_told: true,
             });
@@ -268,10 +282,17 @@ impl Way {
                 change.make(&mut value);
                 v.with(&value)
             }
-            Slip::Other { at, of } if at == place => {
-                let value = self.last(of, v.numbers().len());
-                self.looks_ahead |= value.is_none();
-                value.map_or(v, |value| v.with(&value))
+            Slip::Other { at, of, only } if at == place => {
+                let mut value = v.numbers();
+                let others = self.last(of, value.len());
+                self.looks_ahead |= others.is_none();
+                let others = others.into_iter().flatten();
+                for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
+                    if only.is_none_or(|only| only == i) {
+                        *v = other;
+                    }
+                }
+                v.with(&value)
             }
             Slip::Earlier(at, from) if at == place => {
                 let round = self.before.len();
@@ -322,6 +343,7 @@ impl Way {
                 name: name.into(),
                 value: v.numbers(),
                 unit,
+                axes: V::AXES,
                 place,
                 is_told,
             });

@@ -13,14 +13,22 @@ pub struct Step {
     pub value: Vec<f64>,
     /// The value's unit; empty where it has none.
     pub unit: &'static str,
+    /// What the value's numbers are called; nothing of a single one.
+    pub axes: Axes,
     /// Where it is calculated.
     pub place: Place,
     /// Whether it has a line of its own.
     pub(super) is_told: bool,
 }
 
+/// What the numbers of a value are called: "x", "red", "the first number".
+pub type Axes = &'static [&'static str];
+
 /// What a step's value can be.
 pub trait Value: Copy {
+    /// What its numbers are called; nothing of a single one.
+    const AXES: Axes;
+
     /// Its numbers.
     fn numbers(self) -> Vec<f64>;
 
@@ -30,6 +38,8 @@ pub trait Value: Copy {
 }
 
 impl Value for f64 {
+    const AXES: Axes = &[];
+
     fn numbers(self) -> Vec<f64> {
         vec![self]
     }
@@ -40,6 +50,8 @@ impl Value for f64 {
 }
 
 impl Value for DVec2 {
+    const AXES: Axes = &["the first number", "the second number"];
+
     fn numbers(self) -> Vec<f64> {
         self.to_array().into()
     }
@@ -50,12 +62,30 @@ impl Value for DVec2 {
 }
 
 impl Value for DVec3 {
+    const AXES: Axes = &["x", "y", "z"];
+
     fn numbers(self) -> Vec<f64> {
         self.to_array().into()
     }
 
     fn with(self, numbers: &[f64]) -> Self {
         Self::from_slice(numbers)
+    }
+}
+
+/// A colour, by its parts.
+#[derive(Clone, Copy)]
+pub(super) struct Colour(pub DVec3);
+
+impl Value for Colour {
+    const AXES: Axes = &["red", "green", "blue"];
+
+    fn numbers(self) -> Vec<f64> {
+        self.0.numbers()
+    }
+
+    fn with(self, numbers: &[f64]) -> Self {
+        Self(self.0.with(numbers))
     }
 }
 

@@ -1,0 +1,86 @@
+//! What is wrong in one channel or along one axis only is named by it; and a colour's numbers are red, green and blue.
+
+use super::operations::diagnosed;
+use glam::DVec3;
+
+/// Phong's model, with a slip in k_s and in the sum of both parts.
+fn phong(
+    q: &[f64],
+    shiny: impl Fn(DVec3, DVec3) -> DVec3,
+    sum: impl Fn(DVec3) -> DVec3,
+) -> Vec<f64> {
+    let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
+    let height = n.dot(l);
+    let cosine = (2.0 * height * n - l).dot(v);
+    let shine = if cosine > 0.0 {
+        cosine.powf(q[18])
+    } else {
+        0.0
+    };
+    let light = if height > 0.0 {
+        sum(k_d * height + shiny(k_s, k_d) * shine) * i
+    } else {
+        DVec3::ZERO
+    };
+    light.to_array().to_vec()
+}
+
+#[test]
+fn another_coefficient_in_one_channel_is_named() {
+    let found = diagnosed("phong", |q| {
+        Some(phong(q, |k_s, k_d| k_s.with_z(k_d.z), |sum| sum))
+    });
+    let told = "takes the value of “k_d” where that of “k_s” belongs, in blue only";
+    assert_eq!((&*found.name, found.certain), (told, true));
+}
+
+#[test]
+fn the_numbers_of_a_colour_are_its_channels() {
+    let found = diagnosed("phong", |q| {
+        Some(phong(
+            q,
+            |k_s, _| k_s,
+            |sum| DVec3::new(sum.z, sum.y, sum.x),
+        ))
+    });
+    let told = "goes wrong at the step “diffuse + specular”: exchanges red and blue";
+    assert_eq!((&*found.name, found.certain), (told, true));
+}
+
+#[test]
+fn a_length_of_one_component_only_is_named() {
+    let found = diagnosed("geodesic_step", |q| {
+        let (x, v, step) = (DVec3::from_slice(q), DVec3::from_slice(&q[3..]), q[6]);
+        let square = x.cross(v).z.powi(2);
+        let pull = |x: DVec3| -1.5 * square / x.length().powi(5) * x;
+        let half = v + 0.5 * step * pull(x);
+        let after = x + step * half;
+        let turned = half + 0.5 * step * pull(after);
+        Some([after.to_array(), turned.to_array()].concat())
+    });
+    let told = "takes 0 for all but z";
+    assert!(found.name.ends_with(told), "{found:?}");
+}
+
+#[test]
+fn a_length_that_is_a_sum_is_named() {
+    let found = diagnosed("point_light", |q| {
+        let way = DVec3::from_slice(q) - DVec3::from_slice(&q[6..]);
+        let (distance, light) = (way.abs().element_sum(), DVec3::from_slice(&q[3..]));
+        if distance == 0.0 {
+            return Some(vec![0.0]);
+        }
+        let arriving = light / way.length_squared();
+        Some(
+            [
+                &[1.0],
+                &(way / distance).to_array()[..],
+                &[distance],
+                &arriving.to_array(),
+            ]
+            .concat(),
+        )
+    });
+    let told = "takes the sum of the absolute values for its length";
+    assert!(found.name.ends_with(told), "{found:?}");
+}

@@ -1,8 +1,9 @@
-//! Three balls on a plinth, to compare lights: one ball is matte, one is glossy, one is nearly a mirror.
+//! Three balls on a plinth, to compare lights: one is matte, one glossy, one of gold.
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;
-use crate::material::{Material, lambert::Lambert, modified_phong::ModifiedPhong};
+use crate::material::conductor::Metal;
+use crate::material::{Material, ggx::Ggx, lambert::Lambert, modified_phong::ModifiedPhong};
 use crate::scene::world::{Scene, Thing};
 use crate::shape::{Shape, cuboid::Cuboid, sphere::Sphere};
 use glam::{Vec3, vec3};
@@ -20,26 +21,22 @@ pub fn still_life(light: Box<dyn Light>) -> Scene {
             albedo: Rgb::new(r, g, b),
         })
     };
-    let glossy = |diffuse, specular, exponent| {
-        Arc::new(ModifiedPhong {
-            diffuse,
-            specular,
-            exponent,
-        })
-    };
     let ball = |x: f32, z: f32, r: f32| Arc::new(Sphere::new(vec3(x, r, z), r));
     let thing = |shape: Arc<dyn Shape>, material: Arc<dyn Material>| Thing { shape, material };
     let plinth = Cuboid::between(vec3(-2.4, -0.3, -1.6), vec3(2.4, 0.0, 1.6));
-    let bronze = glossy(
-        Rgb::new(0.06, 0.035, 0.015),
-        Rgb::new(0.83, 0.62, 0.33),
-        2000.0,
-    );
-    let glaze = glossy(Rgb::new(0.02, 0.22, 0.30), Rgb::gray(0.28), 60.0);
+    let gold = Arc::new(Ggx {
+        metal: Metal::GOLD,
+        alpha: 0.03,
+    });
+    let glaze = Arc::new(ModifiedPhong {
+        diffuse: Rgb::new(0.02, 0.22, 0.30),
+        specular: Rgb::gray(0.28),
+        exponent: 60.0,
+    });
     Scene::new(
         vec![
             thing(Arc::new(plinth), matte(0.72, 0.70, 0.66)),
-            thing(ball(-0.15, -0.35, 1.0), bronze),
+            thing(ball(-0.15, -0.35, 1.0), gold),
             thing(ball(-1.60, 0.55, 0.6), matte(0.80, 0.78, 0.74)),
             thing(ball(1.45, 0.45, 0.7), glaze),
         ],

@@ -25,9 +25,9 @@ exercises! { ($) ch10_octree
         child_at(&Aabb::new(min, max), p) as u32
     }
 
-    /// Build the octree of the shapes. Cut a cell in eight if that lowers the expected cost: if opening + ¼ Σ nᵢ < n,
-    /// where n is the number of shapes in the cell and nᵢ that in child i. Stop where the limits allow no more depth or
-    /// no more copies. A shape is listed in every leaf that its box reaches.
+    /// Build the octree of the shapes: cut a cell in eight if that lowers the expected cost, if opening + ¼ Σ nᵢ < n,
+    /// with n shapes in the cell and nᵢ in child i. Stop where the limits allow no more depth or no more copies. A shape
+    /// is listed in every leaf that its box reaches.
     ///
     /// In Rust: `reached(shape, &cells)` has bit i set if the shape with this number, from 0 up to `count`, reaches cell
     /// i of eight; `child_cell` gives the eight. `Node::leaf` and `Node::inner` make the nodes.

@@ -10,8 +10,8 @@ use raybook::math::dir3::Dir3;
 
 exercises! { ($) ch12_phong
     /// Return the radiance that Phong's model sends to the viewer from one light: diffuse k_d (L·N) i plus specular k_s
-    /// (R·V)^α i, without an ambient part. R is L mirrored at N. A negative cosine counts as 0. A light that is not
-    /// above the surface gives nothing at all.
+    /// (R·V)^α i, without an ambient part, where R is L mirrored at N. A negative cosine counts as 0. A light that is
+    /// not above the surface gives nothing at all.
     PhongExercise: phong(
         /// The surface, its viewer, and the light.
         at: Highlight,

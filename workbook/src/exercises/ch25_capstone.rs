@@ -7,9 +7,9 @@ use raybook::render::trace;
 use raybook::scene::description::Description;
 
 exercises! { ($) ch25_capstone
-    /// Return the radiance that comes along a ray through a scene of spheres, planes and triangles, in the light of
-    /// point lamps with their shadows. Materials are Phong's, mirrors and glass. After `depth` surfaces in a row all is
-    /// black. The book's last chapter has every rule.
+    /// Return the radiance that comes along a ray through a scene of spheres, planes and triangles, of Phong's
+    /// materials, mirrors and glass, in the light of point lamps with their shadows. After `depth` surfaces in a row all
+    /// is black. The book's last chapter has every rule.
     Trace: trace(
         /// The maximum number of surfaces in a row; beyond them all is black.
         depth: u32,

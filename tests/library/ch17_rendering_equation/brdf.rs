@@ -6,70 +6,54 @@ use crate::ch17_rendering_equation::materials::{
 };
 use crate::ch17_rendering_equation::{direction, square, surface};
 use raybook::image::rgb::Rgb;
-use raybook::material::{Delta, Material, conductor::Metal, ggx::Ggx, mirror::reflect};
+use raybook::material::{Material, conductor::Metal, ggx::Ggx};
 use raybook::math::{dir3::Dir3, pcg};
 use raybook::render::reflection::reflected_radiance;
 use raybook::sample::hemisphere::uniform_hemisphere;
 use raybook::shape::Surface;
 use raybook_common::statistics::Mean;
 
-/// Cells around the direction in which a highlight is expected.
-fn cells(at: &Surface, view: Dir3) -> Cells {
-    Cells::around(reflect(-view, at.facing(view)))
+/// The materials that have an f, for each view from above.
+fn scattering() -> Vec<(Row, Dir3)> {
+    let rows = |view| materials().into_iter().map(move |row| (row, view));
+    let mut all: Vec<_> = views().into_iter().flat_map(rows).collect();
+    all.retain(|(row, _)| row.material.scatters(&row.at));
+    all
 }
 
-/// The materials that have an f, seen from above.
-fn scattering() -> impl Iterator<Item = (Row, Dir3)> {
-    let rows = || {
-        materials()
-            .into_iter()
-            .filter(|row| row.material.scatters(&row.at))
-    };
-    views()
-        .into_iter()
-        .flat_map(move |view| rows().map(move |row| (row, view)))
-}
-
-/// The cosine of a direction to the normal for shading; 0 for directions below.
-fn cosine(at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-    at.facing(view).dot(*toward).max(0.0)
-}
-
-fn lobes(row: &Row, view: Dir3) -> Vec<Delta> {
-    let mut lobes = Vec::new();
-    row.material
-        .delta_lobes(&row.at, view, &mut |lobe| lobes.push(lobe));
-    lobes
+/// Views from above and from below.
+fn both_sides() -> impl Iterator<Item = Dir3> {
+    views().into_iter().flat_map(|view| [view, -view])
 }
 
 #[test]
 fn light_and_viewer_can_change_places() {
     let mut rng = pcg::stream(1, 1);
+    let off = |one: f32, other: f32| (one - other).abs() / one.max(other).max(0.01);
     for row in materials() {
+        // How far f and f cos θ are from being reciprocal, at most.
         let (mut brdf, mut reflected) = (0.0_f32, 0.0_f32);
         for _ in 0..1000 {
-            let pair = [(); 2].map(|()| uniform_hemisphere(Dir3::Z, square(&mut rng)));
-            if pair.iter().any(|d| row.at.shading_normal.dot(**d) <= 0.0) {
-                continue;
+            let [a, b] = [(); 2].map(|()| uniform_hemisphere(Dir3::Z, square(&mut rng)));
+            if a.dot(*row.at.shading_normal)
+                .min(b.dot(*row.at.shading_normal))
+                > 0.0
+            {
+                assert!(row.f(a, b) >= 0.0, "{}: f is {}", row.name, row.f(a, b));
+                brdf = brdf.max(off(row.f(a, b), row.f(b, a)));
+                reflected = reflected.max(off(row.reflected(a, b), row.reflected(b, a)));
             }
-            let f = |[a, b]: [Dir3; 2]| row.material.eval(&row.at, a, b).max_channel();
-            let sent = |[a, b]: [Dir3; 2]| f([a, b]) * cosine(&row.at, a, b);
-            let back = [pair[1], pair[0]];
-            assert!(f(pair) >= 0.0, "{}: f is {}", row.name, f(pair));
-            let off = |one: f32, other: f32| (one - other).abs() / one.max(other).max(0.01);
-            brdf = brdf.max(off(f(pair), f(back)));
-            reflected = reflected.max(off(sent(pair), sent(back)));
         }
-        let (same, other) = match row.reciprocal {
-            Reciprocal::Brdf => (brdf, 1.0),
-            Reciprocal::Reflected => (reflected, brdf),
-            Reciprocal::Nothing => (0.0, brdf.min(reflected)),
+        // f32 rounds to 1e-7, which the sharpest lobe makes 1e-4.
+        let kept = match row.reciprocal {
+            Reciprocal::Brdf => brdf < 2e-4,
+            Reciprocal::Reflected => reflected < 2e-4 && brdf > 0.1,
+            Reciprocal::Nothing => brdf.min(reflected) > 0.1,
         };
         assert!(
-            same < 2e-4 && other > 0.1,
-            "{}: {:?} is said to be reciprocal; f is off by {brdf}, f cos θ by {reflected}",
-            row.name,
-            row.reciprocal
+            kept,
+            "{}: {:?} should be reciprocal; f is off by {brdf}, f cos θ by {reflected}",
+            row.name, row.reciprocal
         );
     }
 }
@@ -77,42 +61,39 @@ fn light_and_viewer_can_change_places() {
 #[test]
 fn a_ray_of_light_can_go_back() {
     for row in materials() {
-        for view in views().into_iter().flat_map(|view| [view, -view]) {
-            for lobe in lobes(&row, view) {
-                let found = lobes(&row, lobe.toward).into_iter().any(|back| {
-                    back.toward.distance(*view) < 1e-3
-                        && (back.share.max_channel() - lobe.share.max_channel()).abs() < 1e-3
-                });
-                // At a bump, a ray that would go below the surface is mirrored at the surface itself.
-                let bent = row.at.shading_normal != row.at.normal;
-                assert!(found || bent, "{}, {view:?}: {lobe:?}", row.name);
+        // At a bump, a ray that would go below the surface is mirrored at the surface itself, and does not go back.
+        if row.at.shading_normal != row.at.normal {
+            continue;
+        }
+        for view in both_sides() {
+            for (toward, share) in row.delta_lobes(view) {
+                let goes_back = |(back, again): (Dir3, f32)| {
+                    back.distance(*view) < 1e-3 && (again - share).abs() < 1e-3
+                };
+                assert!(
+                    row.delta_lobes(toward).into_iter().any(goes_back),
+                    "{}: {share} of {toward:?} comes to {view:?}, and not back",
+                    row.name
+                );
             }
         }
     }
 }
 
 #[test]
-fn no_more_leaves_than_arrives() {
+fn as_much_leaves_as_the_table_says_in_a_white_furnace() {
     for row in materials() {
-        for view in views().into_iter().flat_map(|view| [view, -view]) {
-            let mirrored: f32 = lobes(&row, view)
-                .iter()
-                .map(|l| l.share.max_channel())
-                .sum();
-            let f = |d: Dir3| row.material.eval(&row.at, view, d).max_channel();
-            let scattered = if row.material.scatters(&row.at) {
-                cells(&row.at, view).integral(|d| f(d) * cosine(&row.at, view, d))
-            } else {
-                0.0
-            };
-            let sent = f64::from(mirrored) + scattered;
-            let straight = view.dot(*row.at.facing(view)) > 0.999;
+        for view in both_sides() {
+            let scattered = row.cells(view).integral(|d| row.reflected(view, d));
+            let shares = row.delta_lobes(view).into_iter().map(|(_, share)| share);
+            let sent = scattered + f64::from(shares.sum::<f32>());
+            let straight = row.at.facing(view).dot(*view) > 0.999;
             let (least, most) = match row.furnace {
                 Furnace::Always(share) => (share, share),
                 Furnace::StraightUp(share) if straight => (share, share),
                 Furnace::StraightUp(most) | Furnace::AtMost(most) => (0.0, most),
             };
-            // The integral's own error, where a lobe is cut off by the horizon.
+            // The integral is wrong by up to 1e-3 where the horizon cuts a lobe off.
             assert!(
                 sent > least - 2e-3 && sent < most + 2e-3,
                 "{}, {view:?}: {sent} leaves, not {least} to {most}",
@@ -123,15 +104,16 @@ fn no_more_leaves_than_arrives() {
 }
 
 #[test]
-fn physical_materials_are_those_that_are_reciprocal_and_send_out_at_most_1() {
-    for row in materials() {
-        let (Furnace::Always(most) | Furnace::StraightUp(most) | Furnace::AtMost(most)) =
-            row.furnace;
-        assert!(
-            most <= 1.0 + 1e-6 || row.reciprocal != Reciprocal::Brdf,
-            "{}: {most}",
-            row.name
-        );
+fn only_models_that_are_not_reciprocal_send_out_more_than_arrives() {
+    let too_much = |row: &Row| match row.furnace {
+        Furnace::Always(most) | Furnace::StraightUp(most) | Furnace::AtMost(most) => {
+            most > 1.0 + 1e-6
+        }
+    };
+    let rows: Vec<_> = materials().into_iter().filter(too_much).collect();
+    assert_eq!(rows.len(), 2, "Phong and Blinn-Phong with a large k_s");
+    for row in rows {
+        assert_eq!(row.reciprocal, Reciprocal::Nothing, "{}", row.name);
     }
 }
 
@@ -139,7 +121,7 @@ fn physical_materials_are_those_that_are_reciprocal_and_send_out_at_most_1() {
 fn samples_are_as_likely_as_their_density_says() {
     for (row, view) in scattering() {
         let density = |d: Dir3| row.material.pdf(&row.at, view, d);
-        let fit = cells(&row.at, view).fit(density, |rng| {
+        let fit = row.cells(view).fit(density, |rng| {
             let sample = row.material.sample(&row.at, view, square(rng))?;
             assert!(density(sample) > 0.0, "{}: {sample:?}", row.name);
             Some(sample)
@@ -162,7 +144,7 @@ fn a_density_of_another_lobe_would_be_noticed() {
         [gold(0.3), gold(0.33)].map(|metal| metal as _),
     ];
     for (i, [sampled, claimed]) in pairs.iter().enumerate() {
-        let fit = cells(&at, view).fit(
+        let fit = Cells::around(direction(-0.4, -0.3, 0.8)).fit(
             |d| claimed.pdf(&at, view, d),
             |rng| sampled.sample(&at, view, square(rng)),
         );
@@ -221,10 +203,11 @@ fn the_reflected_radiance_is_the_integral() {
         if row.reciprocal != Reciprocal::Brdf {
             continue;
         }
-        let f = |d: Dir3| row.material.eval(&row.at, view, d).g * cosine(&row.at, view, d);
-        let exact = cells(&row.at, view).integral(|d| f(d) * (1.0 + d.x));
+        let exact = row
+            .cells(view)
+            .integral(|d| row.reflected(view, d) * (1.0 + d.x));
         let mean = Mean::sampled(6, 5, |rng| {
-            reflected_radiance(&*row.material, &row.at, view, &sky, 200, rng).g
+            reflected_radiance(&*row.material, &row.at, view, &sky, 200, rng).max_channel()
         });
         assert!(
             (mean.mean - exact).abs() < 5.0 * mean.error + 2e-3,

@@ -1,5 +1,6 @@
 //! Every material, with the laws that it keeps.
 
+use crate::ch17_rendering_equation::cells::Cells;
 use crate::ch17_rendering_equation::{direction, surface};
 use glam::{Vec2, Vec3, vec2};
 use raybook::image::{Image, mip::MipMap, rgb::Rgb};
@@ -11,7 +12,7 @@ use raybook::material::glass::{Glass, Medium};
 use raybook::material::glowing::Glowing;
 use raybook::material::image_texture::ImageTexture;
 use raybook::material::lambert::Lambert;
-use raybook::material::mirror::Mirror;
+use raybook::material::mirror::{Mirror, reflect};
 use raybook::material::modified_phong::ModifiedPhong;
 use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::material::phong::Phong;
@@ -43,6 +44,7 @@ pub enum Reciprocal {
     Nothing,
 }
 
+/// A material, a place of it, and its laws.
 pub struct Row {
     pub name: String,
     pub furnace: Furnace,
@@ -53,12 +55,37 @@ pub struct Row {
 }
 
 impl Row {
+    /// The same material at another place.
     fn at(self, at: Surface) -> Self {
         Self { at, ..self }
     }
 
     fn reciprocal(self, reciprocal: Reciprocal) -> Self {
         Self { reciprocal, ..self }
+    }
+
+    /// f; of coloured materials, the largest channel.
+    pub fn f(&self, view: Dir3, toward: Dir3) -> f32 {
+        self.material.eval(&self.at, view, toward).max_channel()
+    }
+
+    /// f cos θ: what is reflected of an irradiance of 1; the normal is the one for shading.
+    pub fn reflected(&self, view: Dir3, toward: Dir3) -> f32 {
+        self.f(view, toward) * self.at.facing(view).dot(*toward).max(0.0)
+    }
+
+    /// The delta lobes: each with its direction, and its share of the largest channel.
+    pub fn delta_lobes(&self, view: Dir3) -> Vec<(Dir3, f32)> {
+        let mut lobes = Vec::new();
+        self.material.delta_lobes(&self.at, view, &mut |lobe| {
+            lobes.push((lobe.toward, lobe.share.max_channel()));
+        });
+        lobes
+    }
+
+    /// Cells around the direction where a highlight is expected.
+    pub fn cells(&self, view: Dir3) -> Cells {
+        Cells::around(reflect(-view, self.at.facing(view)))
     }
 }
 
@@ -141,8 +168,8 @@ pub fn materials() -> Vec<Row> {
             let (mirror, below) = (mirror(0.3), modified_phong(0.3, 0.6, 20.0));
             Polished { mirror, below }
         }),
-        row("white square", Always(0.2), squares()).at(place(0.25, 0.5)),
-        row("black square", Always(0.8), squares()).at(place(1.25, 0.5)),
+        row("dark square", Always(0.2), squares()).at(place(0.25, 0.5)),
+        row("light square", Always(0.8), squares()).at(place(1.25, 0.5)),
         row("dark stripe", Always(0.2), stripes(lambert)).at(place(0.25, 0.5)),
         row("glossy stripe", StraightUp(0.8), {
             stripes(|share| modified_phong(0.0, share, 9.0))

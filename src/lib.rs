@@ -68,7 +68,7 @@
 //! | light from everywhere: cube maps and sphere maps | `light/environment/mod.rs` |
 //! | what a material must answer, and its lobes; Phong, Blinn, mirror, glass | `material/mod.rs` `material/phong.rs` `material/blinn_phong.rs` `material/mirror.rs` `material/glass.rs` |
 //! | Snell's law, Fresnel's equations | `material/refract.rs` `material/fresnel.rs` |
-//! | matte and glossy surfaces that conserve energy and are reciprocal: Lambert, modified Phong | `material/lambert.rs` `material/modified_phong.rs` |
+//! | matte and glossy surfaces that conserve energy and are reciprocal: Lambert, modified Phong, normalised Blinn-Phong | `material/lambert.rs` `material/modified_phong.rs` `material/normalised_blinn_phong.rs` |
 //! | metals, smooth and rough (GGX); plastic | `material/conductor.rs` `material/ggx.rs` `material/plastic.rs` |
 //! | the index of a glass by wavelength, and the colour of a wavelength | `material/dispersion.rs` `image/spectrum.rs` |
 //! | textures: a material for each place of a surface, also from a picture | `material/texture.rs` `material/checkered.rs` `material/image_texture.rs` |

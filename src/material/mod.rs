@@ -13,6 +13,7 @@ pub mod lambert;
 pub mod mirror;
 pub mod modified_phong;
 pub mod mtl;
+pub mod normalised_blinn_phong;
 pub mod phong;
 pub mod plastic;
 pub mod polished;

@@ -42,11 +42,16 @@ impl ModifiedPhong {
     }
     // ANCHOR_END: brdf_phong
 
-    /// The probability with which a direction is chosen from the highlight: ρ_s/(ρ_d + ρ_s), by luminance.
+    /// The probability with which a direction is chosen from the highlight.
     fn glossy(&self) -> f32 {
-        let [matte, glossy] = [self.diffuse, self.specular].map(Rgb::luminance);
-        glossy / (matte + glossy).max(f32::MIN_POSITIVE)
+        glossy_share(self.diffuse, self.specular)
     }
+}
+
+/// ρ_s/(ρ_d + ρ_s), by luminance: the share of the reflected light that is in the highlight.
+pub(super) fn glossy_share(diffuse: Rgb, specular: Rgb) -> f32 {
+    let [matte, glossy] = [diffuse, specular].map(Rgb::luminance);
+    glossy / (matte + glossy).max(f32::MIN_POSITIVE)
 }
 
 /// The mirror direction of the viewer, 2 (V·N) N − V.

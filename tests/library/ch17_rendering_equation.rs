@@ -1,11 +1,13 @@
 //! Chapter 17: what is known about the rendering equation without solving it, and path tracing held against it.
 
 mod brdf;
+mod cells;
 mod cornell;
 mod delta_lobes;
 mod furnace;
 mod hemisphere;
 mod integrators;
+mod materials;
 mod mis;
 mod strategies;
 mod view_factors;

@@ -105,6 +105,10 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
         "5:34: `colour` must be a number from 0 to 1, or three, [red, green, blue], and this is [2.0, 0.0, 0.0]",
     ),
     (
+        "[materials]\nsatin = { kind = \"blinn-phong\", colour = 0.5, specular = 1.5 }\n",
+        "5:58: `specular` must be a number from 0 to 1, and this is 1.5",
+    ),
+    (
         "[materials]\nred = { kind = \"matte\", colour = { squares = [1, 0, 1] } }\n",
         "5:46: `squares` must be two colours, [[red, green, blue], [red, green, blue]], from 0 to 1",
     ),

@@ -1,6 +1,7 @@
 //! What a scene file says is what is drawn: as by the library itself, bit for bit.
 
 use crate::{CAMERA, parse};
+use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::prelude::*;
 use raybook::scene::cornell;
 use raybook_common::project;
@@ -13,6 +14,8 @@ fn a_scene_file_draws_what_the_library_draws() {
         [integrator]\nkind = \"path\"\ndepth = 5\n\
         [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 1, 0]\nradius_m = 1\nmaterial = \"gold\"\n\
         [[shapes]]\nkind = \"plane\"\npoint_m = [0, 0, 0]\nmaterial = { kind = \"matte\", colour = 0.5 }\n\
+        [[shapes]]\nkind = \"sphere\"\ncenter_m = [1.2, 0.4, 1.5]\nradius_m = 0.4\n\
+        material = { kind = \"blinn-phong\", colour = 0.9, specular = 0.25, exponent = 30 }\n\
         [materials.gold]\nkind = \"metal\"\nmetal = \"gold\"\nroughness = 0.2\n\
         [[lights]]\nkind = \"rectangle\"\ncorner_m = [-1, 4, -1]\na_m = [2, 0, 0]\nb_m = [0, 0, 2]\nradiance = 12\n\
         [backdrop]\nhorizon = 0.4\n";
@@ -35,6 +38,14 @@ fn a_scene_file_draws_what_the_library_draws() {
             Plane::through(Vec3::ZERO, Dir3::Y),
             Lambert {
                 albedo: Rgb::gray(0.5),
+            },
+        ),
+        Thing::new(
+            Sphere::new(vec3(1.2, 0.4, 1.5), 0.4),
+            NormalisedBlinnPhong {
+                diffuse: Rgb::gray(0.9 * 0.75),
+                specular: Rgb::gray(0.25),
+                exponent: 30.0,
             },
         ),
     ];

@@ -30,6 +30,7 @@ const OTHERS: &str = "ambient = 0.2
 [[shapes]]\nkind = \"box\"\ncorner_m = [-1, -1, -1]\nopposite_m = [1, 0, 1]\nscale = 0.5\nturn_degrees = [10, 20, 30]\nmove_m = [0, 0.1, 0]\nmaterial = { kind = \"phong\", colour = { file = \"china.png\", repeat = 2 }, specular = 0.3, exponent = 40 }\n
 [[shapes]]\nkind = \"rectangle\"\ncorner_m = [-2, -1, -2]\na_m = [4, 0, 0]\nb_m = [0, 4, 0]\nmaterial = { kind = \"mirror\", share = 0.9 }\n
 [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 0.4\nmaterial = { kind = \"glass\", index = 1, outside_index = 1.5 }\n
+[[shapes]]\nkind = \"sphere\"\ncenter_m = [1, 0, 0]\nradius_m = 0.4\nmaterial = { kind = \"blinn-phong\", colour = 0.8, specular = 0.2, exponent = 90 }\n
 [[lights]]\nkind = \"point\"\nposition_m = [1, 2, 3]\nintensity = [9, 8, 7]\n
 [[lights]]\nkind = \"directional\"\ntoward = [1, 1, 1]\nirradiance = 2\n
 ";

@@ -12,6 +12,7 @@ use raybook::material::glass::{Glass, Medium};
 use raybook::material::glowing::Glowing;
 use raybook::material::lambert::Lambert;
 use raybook::material::mirror::Mirror;
+use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::material::phong::Phong;
 use raybook::material::plastic::Plastic;
 use raybook::material::texture::Texture;
@@ -77,7 +78,14 @@ const METALS: [(&str, Metal); 4] = [
 
 fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
     let kinds = [
-        "matte", "plastic", "phong", "metal", "mirror", "glass", "glowing",
+        "matte",
+        "plastic",
+        "phong",
+        "blinn-phong",
+        "metal",
+        "mirror",
+        "glass",
+        "glowing",
     ];
     let kind = fields.choice("kind", &kinds)?;
     let kind = fields.need("kind", kind)?;
@@ -96,6 +104,16 @@ fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
                 ambient: albedo,
                 diffuse: albedo * FRAC_1_PI,
                 specular: Rgb::gray(specular),
+                exponent,
+            })
+        }
+        "blinn-phong" => {
+            let share = fields.number("specular", 0.0..=1.0)?.unwrap_or(0.0);
+            let exponent = fields.number("exponent", 0.0..=1e6)?.unwrap_or(50.0);
+            // So no more light leaves than arrives.
+            paint(&fields)?.make(move |albedo| NormalisedBlinnPhong {
+                diffuse: albedo * (1.0 - share),
+                specular: Rgb::gray(share),
                 exponent,
             })
         }

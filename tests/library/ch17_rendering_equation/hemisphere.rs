@@ -1,9 +1,9 @@
 //! Directions are as likely as their densities say, around any normal.
 
+use crate::ch17_rendering_equation::cells::Cells;
 use crate::ch17_rendering_equation::{direction, integral, square};
 use glam::Vec2;
-use raybook::math::pcg;
-use raybook::math::{basis::Basis, dir3::Dir3};
+use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook::sample::hemisphere::{
     UNIFORM, cosine_hemisphere, cosine_pdf, lobe, lobe_pdf, uniform_hemisphere,
 };
@@ -65,35 +65,19 @@ fn densities_integrate_to_one() {
     }
 }
 
-/// χ² of rings × sectors of equal probability, under a density.
-fn chi_squared(warp: Warp, share_above: fn(f64) -> f64) -> f64 {
-    const CELLS: usize = 16;
-    const N: usize = 40_000;
-    let mut rng = pcg::stream(7, 7);
-    let mut counts = [0_u32; CELLS * CELLS];
-    for _ in 0..N {
-        let d = warp(Dir3::Z, square(&mut rng));
-        let ring = (share_above(f64::from(d.z)) * CELLS as f64) as usize;
-        let turn = f64::from(d.y).atan2(f64::from(d.x)) / TAU + 0.5;
-        let sector = (turn * CELLS as f64) as usize;
-        counts[ring.min(CELLS - 1) * CELLS + sector.min(CELLS - 1)] += 1;
-    }
-    let expected = N as f64 / (CELLS * CELLS) as f64;
-    let square_of = |&n: &u32| (f64::from(n) - expected).powi(2) / expected;
-    counts.iter().map(square_of).sum()
-}
-
 #[test]
-fn rings_and_sectors_of_equal_probability_hold_equally_many() {
-    // 255 degrees of freedom: mean 255, standard deviation 22.6; chance exceeds 370 once in a million times.
-    let cosine = chi_squared(cosine_hemisphere, |z| 1.0 - z * z);
-    let uniform = chi_squared(uniform_hemisphere, |z| 1.0 - z);
-    let lobe = chi_squared(|n, u| lobe(n, 20.0, u), |z| 1.0 - z.powi(21));
-    let wrong = chi_squared(uniform_hemisphere, |z| 1.0 - z * z);
-    for (name, x) in [("cosine", cosine), ("uniform", uniform), ("lobe", lobe)] {
-        assert!((160.0..370.0).contains(&x), "{name}: χ² = {x}");
+fn directions_are_as_likely_as_their_density_says() {
+    let above = |pdf: Density| move |d: Dir3| if d.z > 0.0 { pdf(d.z) } else { 0.0 };
+    let cells = Cells::around(Dir3::Z);
+    for (name, warp, pdf, _) in WARPS {
+        let sample = |rng: &mut Pcg| Some(warp(Dir3::Z, square(rng)));
+        cells.fit(above(pdf), sample).assert_good(name);
+        for (other, _, wrong, _) in WARPS {
+            let same = (pdf(0.3) - wrong(0.3)).abs() < 1e-6;
+            let fits = cells.fit(above(wrong), sample).is_good();
+            assert_eq!(fits, same, "directions of {name} by the density of {other}");
+        }
     }
-    assert!(wrong > 1000.0, "uniform is not by the cosine: χ² = {wrong}");
 }
 
 #[test]

@@ -1,4 +1,23 @@
 //! Surfaces that are not the same everywhere.
+//!
+//! ```
+//! use raybook::material::texture::Texture;
+//! use raybook::prelude::*;
+//!
+//! /// White above the ground, black below.
+//! struct Snow;
+//!
+//! impl Texture for Snow {
+//!     type Material = Lambert;
+//!
+//!     fn at(&self, surface: &Surface) -> Lambert {
+//!         Lambert { albedo: Rgb::gray(if surface.position.y > 0.0 { 0.9 } else { 0.0 }) }
+//!     }
+//! }
+//!
+//! let peak = Surface::flat(Vec3::Y, 0.0, Dir3::Y);
+//! assert!(Snow.eval(&peak, Dir3::Y, Dir3::Y).g > 0.0); // a texture is a material
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,10 @@
 //! The limit on the memory for a file.
+//!
+//! ```
+//! use raybook::memory;
+//!
+//! assert_eq!(memory::gigabytes(memory::BUDGET), "1.1 GB"); // 1 GiB is 7 % more than 1 GB
+//! ```
 
 /// Maximum size in bytes of a file, and of the picture or mesh that is read from it: 1 GiB.
 ///

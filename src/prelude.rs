@@ -1,4 +1,16 @@
 //! What most programs that draw a picture use: `use raybook::prelude::*;`.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Lambert { albedo: Rgb::gray(0.5) });
+//! let sky = Environment::new(Image::from_fn(2, 1, |_, _| Rgb::WHITE));
+//! let scene = Scene::new(vec![ball], vec![Box::new(sky)]);
+//! let camera = Pinhole::look_at(vec3(0.0, 0.0, 4.0), Vec3::ZERO, Vec3::Y, focal_length(20.0), 1.0)?;
+//! let picture = Film::new(3, 3, 64).render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
+//! assert!((picture.at(1, 1).g - 0.5).abs() < 0.01); // under a white sky, a surface shows its albedo
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub use crate::accel::{Accel, Meshed, bvh::Bvh, list::List, wide_bvh::WideBvh};
 pub use crate::camera::aperture::Aperture;

@@ -2,6 +2,15 @@
 //!
 //! A file is first written under a random name in its folder. It is opened in a mode that does not touch existing files and does
 //! not follow links, and all bytes are on the disk before the file gets its final name.
+//!
+//! ```
+//! use raybook::store;
+//! use std::path::Path;
+//!
+//! // An error names the file, and what was to be done with it.
+//! let error = store::read(Path::new("no such file")).expect_err("there is no such file");
+//! assert!(error.to_string().starts_with("no such file: cannot read this file: "));
+//! ```
 
 use crate::memory::{BUDGET, gigabytes};
 use std::fs::{self, File, FileType, Metadata, OpenOptions};

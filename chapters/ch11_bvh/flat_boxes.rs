@@ -96,10 +96,10 @@ impl Paper<'_, '_> {
     ///
     /// # Errors
     /// As for [`Paper::triangle`].
-    pub(super) fn text(&self, text: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
+    pub(super) fn centred(&self, words: &str, at: Vec2, size: i32, colour: RGBColor) -> Drawn {
         write(
             self.canvas,
-            text,
+            words,
             self.pixel(at),
             coloured(size, colour).pos(CENTRE),
         )
@@ -165,7 +165,7 @@ pub(super) fn two_organisations() -> Figure {
                 .iter()
                 .try_for_each(|root| paper.boxes(&tree, root, 0))?;
             let label = format!("{name}: cost {cost:.1}");
-            paper.text(&label, vec2(4.0, 6.65), 46, INK)?;
+            paper.centred(&label, vec2(4.0, 6.65), 46, INK)?;
         }
         Ok(())
     })

@@ -39,9 +39,9 @@ pub(super) fn draw() -> Figure {
         };
         let (boxes, nested, array) = (paper(60.0), paper(760.0), paper(1440.0));
         let title = vec2(2.7, 5.35);
-        boxes.text("1  boxes and their centres", title, 42, INK)?;
-        nested.text("2  a tree of boxes", title, 42, INK)?;
-        array.text("3  an array", vec2(3.5, title.y), 42, INK)?;
+        boxes.centred("1  boxes and their centres", title, 42, INK)?;
+        nested.centred("2  a tree of boxes", title, 42, INK)?;
+        array.centred("3  an array", vec2(3.5, title.y), 42, INK)?;
         for (number, triangle) in triangles.iter().enumerate() {
             let bounds = bounds(triangle);
             boxes.triangle(triangle)?;
@@ -49,7 +49,7 @@ pub(super) fn draw() -> Figure {
             boxes.outline(&bounds, 0.0, BLUE, 4)?;
             let center = bounds.center().truncate();
             disc(&boxes, center, 7, BLUE)?;
-            boxes.text(&letter(number), center + vec2(0.2, 0.14), 36, INK)?;
+            boxes.centred(&letter(number), center + vec2(0.2, 0.14), 36, INK)?;
         }
         if let Some(root) = &tree.root {
             nested.boxes(&tree, root, 0)?;
@@ -86,7 +86,7 @@ const APART: Vec2 = vec2(1.0, 0.88);
 impl Diagram<'_, '_, '_> {
     fn draw(&self, root: &Node) -> Drawn {
         self.subtree(root, 0, 0, &mut 0)?;
-        let text = |text: &str, y| self.paper.text(text, vec2(3.5, y), 36, INK);
+        let text = |text: &str, y| self.paper.centred(text, vec2(3.5, y), 36, INK);
         text(
             "nodes, depth-first, the children of a branch side by side",
             -0.62,
@@ -118,13 +118,14 @@ impl Diagram<'_, '_, '_> {
         };
         disc(self.paper, place, 27, colour)?;
         disc(self.paper, place, 22, WHITE)?;
-        self.paper.text(&number.to_string(), place, 36, colour)?;
+        self.paper.centred(&number.to_string(), place, 36, colour)?;
         let shape = self.tree.order.get(node.link.first as usize);
         let shape = shape.filter(|_| height(self.tree, node) == 0);
         let name = shape
             .map(|&shape| letter(shape as usize))
             .unwrap_or_default();
-        self.paper.text(&name, place - vec2(0.0, 0.45), 36, INK)?;
+        self.paper
+            .centred(&name, place - vec2(0.0, 0.45), 36, INK)?;
         self.cell(number, &name, colour)?;
         Ok(place)
     }
@@ -154,7 +155,7 @@ impl Diagram<'_, '_, '_> {
             .draw(&Rectangle::new(corners, colour.stroke_width(3)))?;
         let middle = (corner + vec2(26.0, 20.0) - self.paper.origin) / self.paper.scale;
         let at = vec2(middle.x, -middle.y);
-        self.paper.text(&number.to_string(), at, 36, colour)?;
-        self.paper.text(name, at - vec2(0.0, 0.26), 36, INK)
+        self.paper.centred(&number.to_string(), at, 36, colour)?;
+        self.paper.centred(name, at - vec2(0.0, 0.26), 36, INK)
     }
 }

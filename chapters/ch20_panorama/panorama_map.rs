@@ -5,6 +5,7 @@ use super::graticule::STEP;
 use crate::kit::figure::{CENTRE, Canvas, RIGHT, SCALE, figure, text, write};
 use crate::kit::palette::{BLUE, GREEN, INK, ORANGE, VERMILION};
 use crate::kit::sketch::label;
+use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor};
 use raybook::image::rgb::Rgb;
@@ -13,9 +14,6 @@ use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
 use std::error::Error;
-
-/// What drawing returns.
-type Drawn = Result<(), Box<dyn Error>>;
 
 /// The pixel of the canvas at a place of the map.
 type Pixel<'a> = &'a dyn Fn(Vec2) -> Vec2;

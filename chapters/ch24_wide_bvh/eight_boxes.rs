@@ -51,7 +51,7 @@ pub(super) fn draw() -> Figure {
             canvas.draw(&Rectangle::new(corners, colour.mix(0.16).filled()))?;
             canvas.draw(&Rectangle::new(corners, colour.stroke_width(5)))?;
             let middle = pixel(vec2(0.5 * (x0 + x1), y1 - 0.26));
-            text(canvas, &lane.to_string(), middle, 48, colour)?;
+            centred(canvas, &lane.to_string(), middle, colour)?;
         }
         let end = vec2(0.2, 0.5) + 9.3 * vec2(9.0, 3.2).normalize();
         let line = vec![pixel(vec2(0.2, 0.5)), pixel(end)];
@@ -98,10 +98,10 @@ fn table(canvas: &Canvas, boxes: &[Aabb], ray: &Ray, met: u32, order: &[usize]) 
             let band = [(60, y - 38), (1860, y + 38)];
             canvas.draw(&Rectangle::new(band, FAINT.mix(0.3).filled()))?;
         }
-        text(canvas, name, (200, y), 48, INK)?;
+        centred(canvas, name, (200, y), INK)?;
         for lane in 0..CHILDREN {
             let x = 460 + 180 * lane as i32;
-            text(canvas, &cell(lane), (x, y), 48, colour(met, lane))?;
+            centred(canvas, &cell(lane), (x, y), colour(met, lane))?;
         }
     }
     Ok(())
@@ -120,6 +120,7 @@ fn pixel(p: Vec2) -> (i32, i32) {
     (at.x as i32, at.y as i32)
 }
 
-fn text(canvas: &Canvas, words: &str, at: (i32, i32), size: i32, colour: RGBColor) -> Drawn {
-    write(canvas, words, at, coloured(size, colour).pos(CENTRE))
+/// Writes words with their middle at a place.
+fn centred(canvas: &Canvas, words: &str, at: (i32, i32), colour: RGBColor) -> Drawn {
+    write(canvas, words, at, coloured(48, colour).pos(CENTRE))
 }

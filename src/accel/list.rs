@@ -1,4 +1,13 @@
 //! The linear search: every ray tests every shape.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = |z| Sphere::new(vec3(0.0, 0.0, z), 1.0);
+//! let list = List::new(vec![ball(9.0), ball(5.0), ball(7.0)]);
+//! let (nearest, hit) = list.closest(&Ray::new(Vec3::ZERO, Dir3::Z), Interval::AHEAD).expect("three in the way");
+//! assert_eq!((nearest.center.z, hit.t), (5.0, 4.0));
+//! ```
 
 use crate::accel::{Accel, Count};
 use crate::math::{interval::Interval, ray::Ray};

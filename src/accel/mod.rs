@@ -1,4 +1,18 @@
 //! Floor 3: which of many shapes a ray hits first.
+//!
+//! ```
+//! use raybook::accel::{Tests, grid::Grid};
+//! use raybook::prelude::*;
+//!
+//! // A row of balls. A list tests all of them; a structure finds the same ball with fewer tests.
+//! let balls: Vec<_> = (0..100).map(|i| Sphere::new(vec3(3.0 * i as f32, 0.0, 0.0), 1.0)).collect();
+//! let (list, grid) = (List::new(balls.clone()), Grid::new(balls));
+//! let ray = Ray::new(vec3(150.0, 5.0, 0.0), -Dir3::Y);
+//! let [mut by_list, mut by_grid] = [Tests::default(); 2];
+//! let hit = list.closest_counted(&ray, Interval::AHEAD, &mut by_list);
+//! assert_eq!(grid.closest_counted(&ray, Interval::AHEAD, &mut by_grid), hit);
+//! assert!(by_list.shapes == 100 && by_grid.shapes < 5);
+//! ```
 
 mod bounded;
 mod budget;

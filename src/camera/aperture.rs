@@ -1,4 +1,13 @@
 //! The aperture: the opening of the lens.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let blades = Aperture::Blades { count: 6, turn: 0.0 };
+//! // Half-way between two corners, the edge is at √3/2 = 0.87 of the radius.
+//! let edge = blades.point(vec2(1.0, 1.0 / 12.0)).length();
+//! assert!((edge - 0.75_f32.sqrt()).abs() < 1e-5);
+//! ```
 
 use crate::sample::{disk::concentric_disk, polygon::regular_polygon};
 use glam::Vec2;

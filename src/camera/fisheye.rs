@@ -1,4 +1,16 @@
 //! The fisheye: a view of up to 360°, drawn as a disc.
+//!
+//! ```
+//! use raybook::camera::fisheye::{Fisheye, Projection};
+//! use raybook::camera::pose::Pose;
+//! use raybook::prelude::*;
+//!
+//! let eye = Fisheye::new(Pose::level(Vec3::ZERO), Projection::Equidistant, 180.0, 1.0)?;
+//! let rim = eye.ray_through(vec2(1.0, 0.5)).expect("on the disc").direction;
+//! assert!((rim.x - 1.0).abs() < 1e-5); // 90° to the right
+//! assert!(eye.ray_through(vec2(0.01, 0.01)).is_none()); // beside the disc
+//! # Ok::<(), raybook::camera::fisheye::ViewError>(())
+//! ```
 
 use crate::camera::pose::Pose;
 use crate::math::{dir3::Dir3, ray::Ray};

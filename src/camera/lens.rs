@@ -1,4 +1,14 @@
 //! The numbers on a lens, and how it blurs a point that is out of focus.
+//!
+//! ```
+//! use raybook::camera::lens::Lens;
+//!
+//! let lens = Lens::new(0.050, 2.0, 3.0)?; // 50 mm, f/2, focused at 3 m
+//! assert_eq!(lens.aperture(), 0.025);
+//! assert_eq!(lens.circle_of_confusion(3.0), 0.0); // sharp
+//! assert!(lens.circle_of_confusion(f32::INFINITY) > 4e-4); // 0.42 mm: blurred
+//! # Ok::<(), raybook::camera::lens::LensError>(())
+//! ```
 
 /// A thin lens: focal length, f-number and focus.
 #[derive(Clone, Copy, Debug, PartialEq)]

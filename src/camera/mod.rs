@@ -1,4 +1,15 @@
 //! Floor 5: cameras, which turn a place on the film into a ray.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let camera = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, focal_length(90.0), 1.0)?;
+//! assert_eq!(camera.ray(vec2(0.5, 0.5), Vec2::ZERO).direction, -Dir3::Z); // the middle of the picture
+//! // The upper edge of a view of 90° is 45° above the middle.
+//! let top = camera.ray(vec2(0.5, 0.0), Vec2::ZERO).direction;
+//! assert!((top.y + top.z).abs() < 1e-6);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod aperture;
 pub mod fisheye;

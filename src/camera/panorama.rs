@@ -1,4 +1,13 @@
 //! The environment camera: it sees in all directions at once.
+//!
+//! ```
+//! use raybook::camera::{panorama::Panorama, pose::Pose};
+//! use raybook::prelude::*;
+//!
+//! let camera = Panorama { pose: Pose::level(Vec3::ZERO) };
+//! assert!(camera.ray_through(vec2(0.5, 0.5)).direction.z < -0.999); // ahead
+//! assert!(camera.ray_through(vec2(0.75, 0.5)).direction.x > 0.999); // a quarter turn to the right
+//! ```
 
 use crate::camera::{Camera, pose::Pose};
 use crate::light::environment::latlong;

@@ -1,4 +1,13 @@
 //! The pin-hole camera: every ray passes through one point.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let camera = Pinhole::look_at(vec3(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, 0.050, 1.5)?;
+//! assert_eq!((camera.forward, camera.right, camera.up), (-Dir3::Z, Dir3::X, Dir3::Y));
+//! assert!((focal_length(27.0) - 0.050).abs() < 1e-4); // 50 mm see 27° vertically
+//! # Ok::<(), raybook::camera::pinhole::LookAtError>(())
+//! ```
 
 use crate::camera::Camera;
 use crate::math::{dir3::Dir3, ray::Ray};

@@ -1,4 +1,14 @@
 //! A camera's place and its axes.
+//!
+//! ```
+//! use raybook::camera::pose::Pose;
+//! use raybook::prelude::*;
+//!
+//! // A camera that looks along +x: what it has ahead, −z in its coordinates, is +x in the world.
+//! let pose = Pose { position: Vec3::ZERO, forward: Dir3::X, right: Dir3::Z, up: Dir3::Y };
+//! assert_eq!(pose.ray(-Dir3::Z).direction, Dir3::X);
+//! assert_eq!(pose.seen(Dir3::X), -Dir3::Z);
+//! ```
 
 use crate::camera::pinhole::Pinhole;
 use crate::math::{dir3::Dir3, ray::Ray};

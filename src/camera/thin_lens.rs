@@ -1,4 +1,17 @@
 //! The thin-lens camera: the rays of a place on the film pass through all points of a lens, and meet in the plane in focus.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let body = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, 0.050, 1.0)?;
+//! let camera = ThinLens::new(&body, 2.0, 3.0, Aperture::Round)?;
+//! // Through two points of the lens, the rays of one place on the film meet in the plane in focus.
+//! let [a, b] = [-Vec2::X, Vec2::X].map(|lens| camera.ray_through(vec2(0.7, 0.4), lens));
+//! let in_focus = |ray: Ray| ray.at(-3.0 / ray.direction.z);
+//! assert!(a.origin.distance(b.origin) > 0.02);
+//! assert!(in_focus(a).distance(in_focus(b)) < 1e-5);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::camera::lens::{Lens, LensError};
 use crate::camera::{Camera, aperture::Aperture, pinhole::Pinhole};

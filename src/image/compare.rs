@@ -1,4 +1,15 @@
 //! Whether two pictures show the same: their sizes, then tolerances, each of which catches another kind of error.
+//!
+//! ```
+//! use raybook::image::compare::{Difference, Tolerance, compare};
+//! use raybook::prelude::*;
+//!
+//! let gray = |v: f32| Image::from_fn(8, 8, |_, _| Rgb::gray(v));
+//! let again = Tolerance::RENDERED_AGAIN;
+//! assert!(compare(&gray(0.5), &gray(0.5001), &again).is_ok());
+//! // 1 % in every pixel is invisible, but is an error of the whole picture.
+//! assert!(matches!(compare(&gray(0.5), &gray(0.505), &again), Err(Difference::Mean { .. })));
+//! ```
 
 use crate::image::Image;
 

@@ -1,4 +1,12 @@
 //! Picture files: OpenEXR and Radiance HDR keep the radiance, PNG keeps what a display shows.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use std::path::Path;
+//!
+//! assert!(file::expect_name(Path::new("picture.exr")).is_ok());
+//! assert!(file::expect_name(Path::new("picture.bmp")).is_err()); // refused before anything is rendered
+//! ```
 
 use crate::image::{Image, codec};
 use crate::store::{self, StoreError};

@@ -1,4 +1,13 @@
 //! A picture that can be looked up between its pixels, and blurred where many of them would fall into one pixel (a mip map).
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let stripes = Image::from_fn(4, 4, |x, _| Rgb::gray((x % 2) as f32));
+//! let map = MipMap::new(&stripes);
+//! assert_eq!(map.levels().len(), 3); // 4 × 4, 2 × 2 and 1 × 1 pixels
+//! assert_eq!(map.at(vec2(0.3, 0.3), 1.0), Rgb::gray(0.5)); // as wide as the picture: the mean
+//! ```
 
 use crate::image::{Image, rgb::Rgb};
 use glam::Vec2;

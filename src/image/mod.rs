@@ -1,4 +1,12 @@
 //! Floor 1: pictures of linear radiance, their files, their way to a display, and their comparison.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ramp = Image::from_fn(3, 1, |x, _| Rgb::gray(x as f32));
+//! let brighter = ramp.map(|pixel| tone::expose(pixel, 1.0)); // one stop: twice the light
+//! assert_eq!(brighter.at(2, 0), Rgb::gray(4.0));
+//! ```
 
 #[cfg(feature = "files")]
 mod codec;

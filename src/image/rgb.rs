@@ -1,4 +1,12 @@
 //! A colour with a physical meaning: radiance in three channels.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let light = Rgb::new(1.0, 0.5, 0.0);
+//! assert_eq!(light * Rgb::new(0.5, 0.5, 0.5), Rgb::new(0.5, 0.25, 0.0)); // an albedo is applied channel by channel
+//! assert!(Rgb::new(0.0, 1.0, 0.0).luminance() > 9.0 * Rgb::new(0.0, 0.0, 1.0).luminance()); // green is bright
+//! ```
 
 use std::iter::Sum;
 use std::ops::{Add, AddAssign, Div, Mul};

@@ -1,4 +1,12 @@
 //! The difference of two pictures in one number.
+//!
+//! ```
+//! use raybook::image::rms::rms;
+//! use raybook::prelude::*;
+//!
+//! let of = |colour| Image::from_fn(2, 2, |_, _| colour);
+//! assert_eq!(rms(&of(Rgb::BLACK), &of(Rgb::WHITE), |_, _| true), 1.0);
+//! ```
 
 use crate::image::{Image, tone};
 

@@ -1,4 +1,12 @@
 //! From radiance, which has no upper limit, to a display, which shows at most 1.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! assert_eq!(tone::expose(Rgb::gray(3.0), -1.0), Rgb::gray(1.5));
+//! assert!((tone::reinhard(Rgb::gray(3.0)).g - 0.75).abs() < 1e-6); // L/(1 + L)
+//! assert_eq!(tone::to_byte(0.5), 188); // half of the light is far above the middle of the bytes
+//! ```
 
 use crate::image::{Image, rgb::Rgb};
 use std::sync::LazyLock;

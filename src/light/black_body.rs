@@ -1,4 +1,12 @@
 //! The light of hot bodies: from red to blue-white.
+//!
+//! ```
+//! use raybook::light::black_body::black_body;
+//!
+//! let [candle, star] = [1900.0, 10_000.0].map(black_body);
+//! assert!(candle.r > candle.g && candle.g > candle.b); // reddish
+//! assert!(star.b > star.r); // bluish
+//! ```
 
 use crate::image::{rgb::Rgb, spectrum};
 use glam::Vec3;

@@ -1,4 +1,12 @@
 //! The directional light.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let sun = DirectionalLight { toward: Dir3::Y, irradiance: Rgb::gray(900.0) };
+//! let near = sun.sample(Vec3::ZERO, Vec2::ZERO);
+//! assert_eq!(near, sun.sample(vec3(0.0, -1000.0, 0.0), Vec2::ZERO)); // the same everywhere
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, LightSample};

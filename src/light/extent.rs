@@ -1,4 +1,13 @@
 //! What area lights have in common.
+//!
+//! ```
+//! use raybook::light::extent::per_steradian;
+//! use raybook::prelude::*;
+//!
+//! // A lamp of 1 m², seen from straight below at 3 m: p_A r² = 1 · 9.
+//! assert_eq!(per_steradian(1.0, vec3(0.0, 3.0, 0.0), -Dir3::Y), 9.0);
+//! assert_eq!(per_steradian(1.0, vec3(0.0, 3.0, 0.0), Dir3::Y), 0.0); // its back
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,13 @@
 //! Floor 4: where light comes from.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let lamp = PointLight { position: Vec3::Y, intensity: Rgb::gray(12.0) };
+//! let sample = lamp.sample(-Vec3::Y, Vec2::ZERO).expect("shines everywhere");
+//! assert_eq!((sample.toward, sample.distance), (Dir3::Y, 2.0));
+//! assert_eq!(sample.arriving, Rgb::gray(3.0)); // I/r²
+//! ```
 
 pub mod black_body;
 pub mod directional;

@@ -1,4 +1,12 @@
 //! The point light.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let lamp = PointLight { position: Vec3::ZERO, intensity: Rgb::WHITE };
+//! let arriving = |y| lamp.sample(vec3(0.0, y, 0.0), Vec2::ZERO).map(|sample| sample.arriving.g);
+//! assert_eq!((arriving(1.0), arriving(2.0)), (Some(1.0), Some(0.25))); // twice as far: a quarter
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, LightSample};

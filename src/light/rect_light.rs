@@ -1,4 +1,13 @@
 //! The rectangular light.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let lamp = RectLight::new(vec3(-1.0, 3.0, -0.5), vec3(2.0, 0.0, 0.0), vec3(0.0, 0.0, 1.0), Rgb::WHITE);
+//! assert_eq!(lamp.area(), 2.0);
+//! assert!(lamp.sample(Vec3::ZERO, vec2(0.5, 0.5)).is_some()); // it shines downwards
+//! assert!(lamp.sample(vec3(0.0, 5.0, 0.0), vec2(0.5, 0.5)).is_none()); // its back is dark
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::extent::{LightSampling, per_steradian, shine};

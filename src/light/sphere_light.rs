@@ -1,4 +1,15 @@
 //! The spherical light.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let choose = LightSampling::BySolidAngle;
+//! let lamp = SphereLight { sphere: Sphere::new(Vec3::ZERO, 1.0), radiance: Rgb::WHITE, choose };
+//! // At twice the radius, it is seen in a cone of 30°: sin α = 1/2, Ω = 2π(1 − cos α).
+//! let pdf = lamp.pdf(vec3(0.0, 0.0, 2.0), -Dir3::Z);
+//! let solid_angle = std::f32::consts::TAU * (1.0 - 0.75_f32.sqrt());
+//! assert!((pdf * solid_angle - 1.0).abs() < 1e-4);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::extent::{LightSampling, per_steradian, shine};

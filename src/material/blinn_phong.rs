@@ -1,4 +1,16 @@
 //! Blinn's variant of Phong's model.
+//!
+//! ```
+//! use raybook::light::LightSample;
+//! use raybook::material::blinn_phong::BlinnPhong;
+//! use raybook::prelude::*;
+//!
+//! let phong = Phong { ambient: Rgb::BLACK, diffuse: Rgb::BLACK, specular: Rgb::WHITE, exponent: 20.0 };
+//! let light = LightSample::unit(Dir3::new(vec3(0.6, 0.8, 0.0)).expect("longer than 0"));
+//! // Beside the mirror direction, the angle between N and H is half of that between R and V.
+//! let [wide, narrow] = [BlinnPhong(phong).reflect(Dir3::Y, Dir3::Y, &light), phong.reflect(Dir3::Y, Dir3::Y, &light)];
+//! assert!(wide.g > 5.0 * narrow.g);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

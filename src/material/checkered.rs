@@ -1,4 +1,13 @@
 //! Two materials in squares.
+//!
+//! ```
+//! use raybook::material::{checkered::Checkered, texture::Texture};
+//! use raybook::prelude::*;
+//!
+//! let [white, black] = [0.9, 0.1].map(|v| Lambert { albedo: Rgb::gray(v) });
+//! let at = |u| Checkered(white, black).at(&Surface { texture: vec2(u, 0.5), ..Surface::flat(Vec3::ZERO, 0.0, Dir3::Y) });
+//! assert_eq!([at(0.5), at(1.5), at(2.5)], [white, black, white]);
+//! ```
 
 use crate::material::{Material, texture::Texture};
 use crate::shape::Surface;

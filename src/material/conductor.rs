@@ -1,4 +1,12 @@
 //! Metals: no light comes through, and the reflected light has the metal's colour.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let gold = Metal::GOLD.reflectance(1.0); // from straight above
+//! assert!(gold.r > 0.9 && gold.b < 0.5); // yellow
+//! assert!(Metal::GOLD.reflectance(0.01).b > 0.95); // at a grazing angle every metal is white
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, Material, mirror::Mirror};

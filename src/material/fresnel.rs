@@ -1,4 +1,12 @@
 //! Fresnel's equations: how much light a smooth surface between two media reflects.
+//!
+//! ```
+//! use raybook::material::fresnel::fresnel;
+//!
+//! let glass = fresnel(1.0, 1.0, 1.5);
+//! assert!((glass.unpolarised - 0.04).abs() < 1e-6); // ((1.5 − 1)/(1.5 + 1))²
+//! assert_eq!(fresnel(0.5, 1.5, 1.0).unpolarised, 1.0); // from inside at 60°: total internal reflection
+//! ```
 
 /// The reflectance, the share of the light that is reflected; the rest goes through.
 #[derive(Clone, Copy, Debug, PartialEq)]

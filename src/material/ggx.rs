@@ -1,4 +1,13 @@
 //! Rough metal: a surface of mirrors that are too small to be seen (microfacets).
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let steel = |alpha| Ggx { metal: Metal::ALUMINIUM, alpha };
+//! // The rougher the metal, the lower the peak of its normals: 1/(π α²).
+//! assert!((steel(0.1).normals(1.0) / steel(0.2).normals(1.0) - 4.0).abs() < 1e-3);
+//! assert!(steel(0.2).hidden(0.1) > steel(0.1).hidden(0.1)); // and the more facets are hidden
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

@@ -1,4 +1,13 @@
 //! Glass, water and air: media that light passes through, and the surfaces between them.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ink = Medium { absorption: Rgb::new(1.0, 1.0, 0.0), ..Medium::WATER };
+//! let [one, two] = [1.0, 2.0].map(|x| ink.transmittance(x).r);
+//! assert!((two - one * one).abs() < 1e-6); // each metre takes the same share
+//! assert_eq!(Glass::of(ink).outside, Medium::AIR);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::fresnel::fresnel;

@@ -1,4 +1,12 @@
 //! A surface that emits light.
+//!
+//! ```
+//! use raybook::material::glowing::Glowing;
+//! use raybook::prelude::*;
+//!
+//! let screen = Glowing { radiance: Rgb::gray(5.0) };
+//! assert_eq!(screen.emitted(&Surface::flat(Vec3::ZERO, 0.0, Dir3::Y), Dir3::Y), Rgb::gray(5.0));
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

@@ -1,4 +1,14 @@
 //! Image textures: the colour of each place is looked up in a picture.
+//!
+//! ```
+//! use raybook::material::texture::Texture;
+//! use raybook::prelude::*;
+//!
+//! let stripes = Image::from_fn(2, 1, |x, _| Rgb::gray([0.2, 0.8][x]));
+//! let paper = ImageTexture::new(MipMap::new(&stripes), |albedo| Lambert { albedo });
+//! let flat = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! assert_eq!(paper.at(&Surface { texture: vec2(0.25, 0.5), ..flat }).albedo, Rgb::gray(0.2)); // the middle of a pixel
+//! ```
 
 use crate::image::{mip::MipMap, rgb::Rgb};
 use crate::material::{Material, texture::Texture};

@@ -1,4 +1,14 @@
 //! The ideally matte surface.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use std::f32::consts::PI;
+//!
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let paper = Lambert { albedo: Rgb::gray(0.8) };
+//! // f = ρ/π: the integral of f cos θ over the hemisphere is f·π = ρ, the reflected share.
+//! assert!((paper.eval(&at, Dir3::Y, Dir3::Y).g * PI - 0.8).abs() < 1e-6);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

@@ -1,4 +1,13 @@
 //! The mirror.
+//!
+//! ```
+//! use raybook::material::mirror::reflect;
+//! use raybook::prelude::*;
+//!
+//! let down = Dir3::new(vec3(3.0, -4.0, 0.0)).expect("longer than 0");
+//! let up = reflect(down, Dir3::Y);
+//! assert!((up.x - down.x).abs() < 1e-6 && (up.y + down.y).abs() < 1e-6);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, Material, glass::Medium};

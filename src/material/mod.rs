@@ -1,4 +1,16 @@
 //! Floor 4: how surfaces reflect, refract and emit light.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let steep = Dir3::new(vec3(0.6, 0.8, 0.0)).expect("longer than 0");
+//! let paper = Lambert { albedo: Rgb::gray(0.8) };
+//! // A BRDF is reciprocal: light and viewer may be exchanged.
+//! assert_eq!(paper.eval(&at, Dir3::Y, steep), paper.eval(&at, steep, Dir3::Y));
+//! // A mirror has no BRDF, only a delta lobe.
+//! assert!(!Mirror { share: Rgb::WHITE }.scatters(&at));
+//! ```
 
 pub mod blinn_phong;
 pub mod checkered;

@@ -1,4 +1,13 @@
 //! Phong's model as a physical BRDF: reciprocal and energy-conserving.
+//!
+//! ```
+//! use raybook::material::modified_phong::ModifiedPhong;
+//! use raybook::prelude::*;
+//!
+//! let gloss = ModifiedPhong { diffuse: Rgb::gray(0.3), specular: Rgb::gray(0.5), exponent: 30.0 };
+//! let [a, b] = [vec3(0.6, 0.8, 0.0), vec3(-0.28, 0.96, 0.0)].map(|v| Dir3::new_or(v, Dir3::Y));
+//! assert!((gloss.value(Dir3::Y, a, b).g - gloss.value(Dir3::Y, b, a).g).abs() < 1e-5); // reciprocal
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

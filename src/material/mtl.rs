@@ -1,4 +1,13 @@
 //! MTL files: the materials of a Wavefront OBJ, one line for each property.
+//!
+//! ```
+//! use raybook::material::mtl;
+//!
+//! let materials = mtl::parse("newmtl brick\nKd 0.6 0.2 0.1\nmap_Kd wall.png\n")?;
+//! assert_eq!((materials[0].name.as_str(), materials[0].diffuse.r), ("brick", 0.6));
+//! assert_eq!(materials[0].diffuse_map.as_deref(), Some("wall.png"));
+//! # Ok::<(), raybook::shape::word::Wrong>(())
+//! ```
 
 use crate::image::{mip::MipMap, rgb::Rgb};
 use crate::material::glass::{Glass, Medium};

@@ -1,4 +1,15 @@
 //! Phong's reflection model.
+//!
+//! ```
+//! use raybook::light::LightSample;
+//! use raybook::prelude::*;
+//!
+//! let phong = Phong { ambient: Rgb::BLACK, diffuse: Rgb::gray(0.2), specular: Rgb::gray(0.5), exponent: 20.0 };
+//! let light = LightSample::unit(Dir3::new(vec3(0.6, 0.8, 0.0)).expect("longer than 0"));
+//! let mirrored = Dir3::new(vec3(-0.6, 0.8, 0.0)).expect("longer than 0");
+//! // In the mirror direction: k_d (L·N) + k_s = 0.2 · 0.8 + 0.5.
+//! assert!((phong.reflect(Dir3::Y, mirrored, &light).g - 0.66).abs() < 1e-5);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,14 @@
 //! Plastic, lacquer, glazed china: a matte ground under a smooth clear coat.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let ball = Plastic::new(Rgb::gray(0.5), 1.5);
+//! let mut mirrored = 0.0;
+//! ball.delta_lobes(&at, Dir3::Y, &mut |lobe| mirrored += lobe.share.g);
+//! assert!((mirrored - 0.04).abs() < 1e-4); // the clear coat reflects 4 % from straight above
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::fresnel::fresnel;

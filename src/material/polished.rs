@@ -1,4 +1,15 @@
 //! A polished surface: a mirror over another material.
+//!
+//! ```
+//! use raybook::material::polished::Polished;
+//! use raybook::prelude::*;
+//!
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let wood = Lambert { albedo: Rgb::gray(0.5) };
+//! let floor = Polished { mirror: Mirror { share: Rgb::gray(0.25) }, below: wood };
+//! // A quarter is mirrored, so three quarters reach the wood.
+//! assert_eq!(floor.eval(&at, Dir3::Y, Dir3::Y), wood.eval(&at, Dir3::Y, Dir3::Y) * 0.75);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,15 @@
 //! Snell's law: how a ray bends where it passes from one medium into another.
+//!
+//! ```
+//! use raybook::material::refract::refract;
+//! use raybook::prelude::*;
+//!
+//! let into_water = Dir3::new(vec3(0.8, -0.6, 0.0)).expect("longer than 0");
+//! let below = refract(into_water, Dir3::Y, 1.0, 1.333).expect("always enters");
+//! assert!((below.x - 0.8 / 1.333).abs() < 1e-6); // n₁ sin θ₁ = n₂ sin θ₂
+//! let out_of_water = Dir3::new(vec3(0.8, 0.6, 0.0)).expect("longer than 0");
+//! assert!(refract(out_of_water, Dir3::Y, 1.0, 1.333).is_none()); // total internal reflection
+//! ```
 
 use crate::math::dir3::Dir3;
 

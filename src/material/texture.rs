@@ -1,4 +1,20 @@
 //! Surfaces that are not the same everywhere.
+//!
+//! ```
+//! use raybook::material::texture::Texture;
+//! use raybook::prelude::*;
+//!
+//! struct Snow; // the higher, the whiter
+//! impl Texture for Snow {
+//!     type Material = Lambert;
+//!     fn at(&self, surface: &Surface) -> Lambert {
+//!         Lambert { albedo: Rgb::gray(surface.position.y.clamp(0.0, 1.0)) }
+//!     }
+//! }
+//! let [top, foot] = [1.0, 0.0].map(|y| Surface::flat(vec3(0.0, y, 0.0), 0.0, Dir3::Y));
+//! let light = |at| Snow.eval(at, Dir3::Y, Dir3::Y).g; // a texture is a material
+//! assert!(light(&top) > 0.3 && light(&foot) == 0.0);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,13 @@
 //! The axis-aligned bounding box (AABB).
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let cube = Aabb::of([Vec3::ZERO, vec3(1.0, 1.0, 1.0)]);
+//! let both = cube.union(&Aabb::of([vec3(5.0, 0.5, 0.5)]));
+//! assert_eq!(both.size(), vec3(5.0, 1.0, 1.0));
+//! assert_eq!(cube.union(&Aabb::EMPTY), cube); // the empty box adds nothing
+//! ```
 
 use glam::Vec3;
 

@@ -1,4 +1,11 @@
 //! Two directions perpendicular to a given one.
+//!
+//! ```
+//! use raybook::math::{basis::Basis, dir3::Dir3};
+//!
+//! let basis = Basis::around(Dir3::Y);
+//! assert_eq!(basis.x.cross(*basis.y), *Dir3::Y); // right-handed: x × y = z
+//! ```
 
 use crate::math::dir3::Dir3;
 use glam::{Vec3, vec3};

@@ -1,4 +1,12 @@
 //! A direction: a vector that has length 1 by construction.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let toward = Dir3::new(vec3(3.0, 4.0, 0.0)).expect("longer than 0");
+//! assert!((toward.x - 0.6).abs() < 1e-6 && (toward.length() - 1.0).abs() < 1e-6);
+//! assert!(Dir3::new(Vec3::ZERO).is_none()); // 0 has no direction
+//! ```
 
 use glam::Vec3;
 use std::ops::{Deref, Neg};

@@ -7,7 +7,7 @@
 //! |---|---|
 //! | coordinates of corners, centres and ray origins | finite, at most [`LARGEST`] from 0 along each axis |
 //! | a mesh | at least [`SMALLEST`] long along one axis, or a single place |
-//! | a radius | from 0 to [`LARGEST`] |
+//! | a radius | above 0, at most [`LARGEST`] |
 //!
 //! Inside the domain, every accelerator finds the same hit as the list. A single triangle may be arbitrarily small, or have no
 //! area: then it is hit as far as rounding allows.
@@ -16,6 +16,14 @@
 //! [`Sphere::checked`](crate::shape::sphere::Sphere::checked) refuse numbers outside the domain, and tell the reason. Shapes that
 //! are too large or, like a plane, have no finite box are tested by an accelerator for every ray. A ray that starts outside the
 //! domain may miss a shape that it should hit, but it hits no shape that it should miss.
+//!
+//! ```
+//! use raybook::math::domain::LARGEST;
+//! use raybook::prelude::*;
+//!
+//! assert!(Sphere::checked(Vec3::ZERO, LARGEST).is_ok());
+//! assert!(Sphere::checked(Vec3::ZERO, 2.0 * LARGEST).is_err());
+//! ```
 
 /// The largest |coordinate| and the largest radius, in metres: a million kilometres.
 pub const LARGEST: f32 = 1e9;

@@ -1,4 +1,12 @@
 //! The interval of distances along a ray in which a hit counts.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! assert!(!Interval::AHEAD.contains(0.0)); // a ray does not hit the surface on which it starts
+//! let nearer = Interval::AHEAD.before(3.0); // after a hit at 3 m, only nearer hits count
+//! assert!(nearer.contains(2.0) && !nearer.contains(3.0));
+//! ```
 
 /// An open interval of distances along a ray: min < t < max, in metres.
 ///

@@ -1,4 +1,13 @@
 //! The random number generator, with one stream per pixel.
+//!
+//! ```
+//! use rand::RngExt;
+//! use raybook::math::pcg;
+//!
+//! let number = |pixel| pcg::stream(7, pixel).random::<f32>();
+//! assert_eq!(number(0), number(0)); // the same stream, the same numbers
+//! assert_ne!(number(0), number(1)); // each pixel has its own
+//! ```
 
 /// The generator of all random numbers in this course: PCG-XSH-RR, with 64 bits of state (O'Neill 2014).
 ///

@@ -1,4 +1,13 @@
 //! Choosing at random among cells with weights.
+//!
+//! ```
+//! use raybook::math::piecewise::Piecewise;
+//!
+//! let cells = Piecewise::new([1.0, 0.0, 3.0]);
+//! assert_eq!(cells.probability(2), 0.75);
+//! assert_eq!(cells.choose(0.2).map(|choice| choice.cell), Some(0));
+//! assert_eq!(cells.choose(0.3).map(|choice| choice.cell), Some(2)); // never cell 1, which has the weight 0
+//! ```
 
 /// A piecewise-constant density: each of n cells has a probability that is proportional to its weight.
 #[derive(Clone, Debug, PartialEq)]

@@ -1,4 +1,12 @@
 //! The quadratic equation, solved without cancellation.
+//!
+//! ```
+//! use raybook::math::quadratic::solve;
+//!
+//! assert_eq!(solve(1.0, -5.0, 6.0), Some((2.0, 3.0)));
+//! // By the schoolbook formula in f32, the root near 0 would be 0: all of its digits would be lost.
+//! assert_eq!(solve(1.0, -1e8, 1.0), Some((1e-8, 1e8)));
+//! ```
 
 // ANCHOR: solve_quadratic
 /// The roots t₀ ≤ t₁ of a·t² + b·t + c = 0; `None` if there is no real root, or if a = 0.

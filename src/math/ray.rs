@@ -1,4 +1,11 @@
 //! A ray: where light travels.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ray = Ray::new(vec3(1.0, 2.0, 3.0), Dir3::X);
+//! assert_eq!(ray.at(4.0), vec3(5.0, 2.0, 3.0)); // after 4 m
+//! ```
 
 use crate::math::dir3::Dir3;
 use glam::Vec3;

@@ -1,4 +1,15 @@
 //! A ray clipped by a box: the interval of distances in which the ray is inside the box.
+//!
+//! ```
+//! use raybook::math::slab;
+//! use raybook::prelude::*;
+//!
+//! let cube = Aabb::new(Vec3::ZERO, vec3(1.0, 1.0, 1.0));
+//! let ray = |y| Ray::new(vec3(-2.0, y, 0.5), Dir3::X);
+//! let inside = slab::clip(&cube, &ray(0.5), Interval::AHEAD);
+//! assert_eq!(inside, Some(Interval::new(2.0, 3.0)));
+//! assert_eq!(slab::clip(&cube, &ray(1.5), Interval::AHEAD), None); // passes above it
+//! ```
 
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 

@@ -1,4 +1,16 @@
 //! Adaptive supersampling: a few samples in each pixel, and more where these samples differ.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::{adaptive::{Limits, adaptive}, needs_more::StoppingRule};
+//!
+//! // The left half of the picture is white, the right half black: only the pixels on the edge need more than 4 samples.
+//! let half = |place: Vec2, _: &mut _| if place.x < 0.5 { Rgb::WHITE } else { Rgb::BLACK };
+//! let limits = Limits { first: 4, most: 64 };
+//! let result = adaptive(&Film::new(5, 1, 64), limits, &StoppingRule::BY_CONTRAST, half);
+//! assert_eq!([0, 2, 4].map(|x| result.spent.at(x, 0).g), [4.0, 64.0, 4.0]);
+//! assert_eq!(result.mean(), 16.0);
+//! ```
 
 use crate::image::{Image, around, rgb::Rgb};
 use crate::math::pcg::Pcg;

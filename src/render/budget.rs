@@ -1,4 +1,11 @@
 //! A given number of samples, distributed among pixels.
+//!
+//! ```
+//! use raybook::render::budget::spend_budget;
+//!
+//! // A pixel with three times the standard deviation gets three times the samples.
+//! assert_eq!(spend_budget(&[0.1, 0.3, 0.0], 1, 41), [10, 30, 1]);
+//! ```
 
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;

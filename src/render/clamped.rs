@@ -1,4 +1,15 @@
 //! Samples clamped to a maximum: no fireflies, and smooth edges of lamps.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//! use raybook::render::cone::Cone;
+//!
+//! let scene = Scene::new(vec![], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::gray(1000.0));
+//! let path = Clamped { integrator: Path::WHOLE, brightest: 10.0 };
+//! let ray = Ray::new(Vec3::ZERO, Dir3::Z);
+//! assert_eq!(path.follow(&scene, &ray, Cone::THIN, &mut pcg::stream(0, 0)).radiance, Rgb::gray(10.0));
+//! ```
 
 use crate::math::ray::Ray;
 use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};

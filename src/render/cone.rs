@@ -1,4 +1,15 @@
 //! The width of the beam that a sample of a pixel sees, over which a texture's colour is averaged.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::cone::Cone;
+//!
+//! let cone = Cone { width: 0.0, spread: 0.001 }.after(20.0);
+//! assert!((cone.width - 0.02).abs() < 1e-6); // 1 mm more for every metre
+//! let mut floor = Surface { texture_per_metre: 1.0, ..Surface::flat(Vec3::ZERO, 0.0, Dir3::Y) };
+//! cone.cover(&mut floor, Dir3::new_or(vec3(0.866_025_4, 0.5, 0.0), Dir3::Y));
+//! assert!((floor.texture_width - 0.04).abs() < 1e-6); // at 60° to the normal, it covers twice as much
+//! ```
 
 use crate::camera::Camera;
 use crate::math::dir3::Dir3;

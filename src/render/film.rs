@@ -1,4 +1,16 @@
 //! The film loop: every pixel asks for the radiance of its samples and keeps their mean.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! // The mean over a pixel of the place on the film is the pixel's middle.
+//! let film = Film::new(4, 1, 16);
+//! let picture = film.sample(|place, _| Rgb::gray(place.x));
+//! assert!((picture.at(3, 0).g - 3.5 / 4.0).abs() < 0.02);
+//! // One thread or eight: the same picture, bit for bit.
+//! let by_eight = Film { threads: 8, ..film }.sample(|place, _| Rgb::gray(place.x));
+//! assert!(by_eight.same_bits(&picture));
+//! ```
 
 use crate::image::{
     Image,

@@ -1,4 +1,13 @@
 //! The radiance along a ray, and the number of rays that were followed for it, which measures a ray tracer's work.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::followed::Followed;
+//!
+//! let samples = [1.0, 3.0].map(|v| Followed { radiance: Rgb::gray(v), rays: 5 });
+//! let pixel = samples.into_iter().sum::<Followed>().mean_of(2);
+//! assert_eq!((pixel.radiance, pixel.rays), (Rgb::gray(2.0), 10)); // the mean, but all rays
+//! ```
 
 use crate::image::rgb::Rgb;
 use std::iter::Sum;

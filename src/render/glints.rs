@@ -1,4 +1,19 @@
 //! Small bright lights through a lens, which rays from the camera cannot find.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::glints::add_glints;
+//!
+//! let body = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, 0.050, 1.0)?;
+//! let camera = ThinLens::new(&body, 2.0, 3.0, Aperture::Round)?;
+//! let film = Film::new(9, 9, 4);
+//! let mut picture = Image::from_fn(9, 9, |_, _| Rgb::BLACK);
+//! // A lamp in focus, in the middle of the view, lights one pixel only.
+//! let lamp = PointLight { position: vec3(0.0, 0.0, -3.0), intensity: Rgb::WHITE };
+//! add_glints(&mut picture, &film, &camera, &[lamp], |_, _| true);
+//! assert_eq!(picture.pixels().iter().filter(|pixel| pixel.g > 0.0).count(), 1);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::camera::thin_lens::ThinLens;
 use crate::image::Image;

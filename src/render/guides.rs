@@ -1,4 +1,16 @@
 //! What a camera sees without noise: the guides of the denoiser.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let floor = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), Lambert { albedo: Rgb::gray(0.5) });
+//! let scene = Scene::new(vec![floor], vec![]);
+//! let camera = Pinhole::look_at(vec3(0.0, 2.0, 0.0), Vec3::ZERO, Vec3::Z, focal_length(1.0), 1.0)?;
+//! let guides = Film::new(1, 1, 4).guides(&camera, &scene);
+//! assert!((guides[0].nearness - 0.5).abs() < 1e-3); // 1/(2 m)
+//! assert!((guides[0].colour.g - 0.5).abs() < 1e-3 && guides[0].normal.y > 0.999);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::camera::Camera;
 use crate::image::{denoise::Guide, rgb::Rgb};

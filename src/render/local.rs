@@ -1,4 +1,18 @@
 //! Local illumination: the light that comes straight from the lights.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//! use raybook::render::local::{Local, NO_SHADOWS};
+//!
+//! let floor = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), Lambert { albedo: Rgb::WHITE });
+//! let sun = DirectionalLight { toward: Dir3::Y, irradiance: Rgb::gray(std::f32::consts::PI) };
+//! let scene = Scene::new(vec![floor], vec![Box::new(sun)]);
+//! let seen = scene.closest(&Ray::new(Vec3::Y, -Dir3::Y)).expect("the floor");
+//! let local = Local { samples: 1, arrives: NO_SHADOWS };
+//! let light = local.follow(&scene, &seen, Dir3::Y, &mut pcg::stream(0, 0));
+//! assert!((light.radiance.g - 1.0).abs() < 1e-6 && light.rays == 0); // ρ/π · E, without shadow rays
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

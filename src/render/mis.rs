@@ -1,4 +1,13 @@
 //! Two strategies to sample the direct light, and their weights (multiple importance sampling, MIS).
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::mis::power;
+//!
+//! assert_eq!(power(3.0, 1.0), 0.9); // 9/(9 + 1)
+//! // The weights of a direction by both strategies add up to 1.
+//! assert!((Strategy::Both.of_light(2.0, 5.0) + Strategy::Both.of_surface(5.0, 2.0) - 1.0).abs() < 1e-6);
+//! ```
 
 /// How directions are chosen for direct light, which comes straight from a light.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -1,4 +1,16 @@
 //! Floor 6: from rays to a picture.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! // A picture of a floor under a white sky. The floor shows its albedo.
+//! let floor = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), Lambert { albedo: Rgb::gray(0.5) });
+//! let scene = Scene::new(vec![floor], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);
+//! let camera = Pinhole::look_at(Vec3::Y, -Vec3::Z, Vec3::Y, focal_length(30.0), 1.0)?;
+//! let picture = Film::new(4, 4, 4).render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
+//! assert!(picture.pixels().iter().all(|pixel| (pixel.g - 0.5).abs() < 1e-4));
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 pub mod adaptive;
 pub mod budget;

@@ -1,4 +1,13 @@
 //! Whether a pixel has enough samples.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::needs_more::StoppingRule;
+//!
+//! let gray = |values: [f32; 3]| values.map(Rgb::gray);
+//! assert!(!StoppingRule::BY_CONTRAST.needs_more(&gray([0.5, 0.5, 0.6])));
+//! assert!(StoppingRule::BY_CONTRAST.needs_more(&gray([0.5, 0.5, 1.0]))); // (1 − 0.5)/(1 + 0.5) > 0.3
+//! ```
 
 use crate::image::rgb::Rgb;
 

@@ -1,4 +1,17 @@
 //! Path tracing: the rendering equation, estimated by following one path of light at a time from the eye.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//!
+//! // A ball under a white sky: with one bounce, it shows the sky times its albedo.
+//! let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Lambert { albedo: Rgb::gray(0.25) });
+//! let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);
+//! let ray = Ray::new(vec3(0.0, 0.0, 3.0), -Dir3::Z);
+//! let seen = |depth| Path { depth, ..Path::WHOLE }.radiance(&scene, &ray, &mut pcg::stream(1, 0)).g;
+//! assert_eq!(seen(0), 0.0); // the ball emits nothing
+//! assert!((seen(1) - 0.25).abs() < 1e-5);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::{Delta, Scatter, glass::Medium};

@@ -1,4 +1,18 @@
 //! The film loop with fewer samples: few where they are similar, all of them where they differ.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use std::sync::atomic::{AtomicU32, Ordering};
+//!
+//! // An edge is in the last pixel, so all other pixels but its neighbour get 4 of the 64 samples.
+//! let taken = AtomicU32::new(0);
+//! let picture = Film::new(32, 1, 64).refine(|place, _| {
+//!     taken.fetch_add(1, Ordering::Relaxed);
+//!     Rgb::gray(if place.x < 0.98 { 1.0 } else { 0.0 })
+//! });
+//! assert_eq!(picture.at(0, 0), Rgb::WHITE);
+//! assert!(taken.into_inner() < 32 * 64 / 4);
+//! ```
 
 use crate::image::{Image, around};
 use crate::math::pcg::Pcg;

@@ -1,4 +1,16 @@
 //! The reflection integral: from the light that arrives from the hemisphere to the light that leaves towards the viewer.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//! use raybook::render::reflection::reflected_radiance;
+//!
+//! // Under a white sky, a matte surface shows its albedo, with every sample: its density is exactly proportional to f cos θ.
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let paper = Lambert { albedo: Rgb::gray(0.8) };
+//! let seen = reflected_radiance(&paper, &at, Dir3::Y, &|_| Rgb::WHITE, 4, &mut pcg::stream(0, 0));
+//! assert!((seen.g - 0.8).abs() < 1e-5);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;

@@ -1,4 +1,19 @@
 //! The loop from a scene to a picture, and its samplers: the number of samples of each pixel, and their places.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::{adaptive::Limits, needs_more::StoppingRule};
+//!
+//! let scene = Scene::new(vec![], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::gray(0.5));
+//! let camera = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, focal_length(40.0), 1.0)?;
+//! let adaptive = Sampler::Adaptive(Limits { first: 2, most: 8 }, StoppingRule::BY_CONTRAST);
+//! // Samplers differ in their noise and in their time, not in what they estimate.
+//! for sampler in [Sampler::Even, Sampler::Refined, Sampler::Budget { first: 2 }, adaptive] {
+//!     let picture = Film::new(2, 2, 4).render(&camera, &sampler, &Path::WHOLE, &scene);
+//!     assert_eq!(picture.at(1, 1), Rgb::gray(0.5));
+//! }
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::camera::Camera;
 use crate::image::Image;

@@ -1,4 +1,17 @@
 //! Shadows: whether light from a light source arrives at a surface.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::shadow::shadow_ray;
+//!
+//! // The interval of a shadow ray ends before the lamp: what is behind the lamp throws no shadow.
+//! let lamp = PointLight { position: vec3(0.0, 3.0, 0.0), intensity: Rgb::WHITE };
+//! let at = Surface::flat(Vec3::ZERO, 1e-6, Dir3::Y);
+//! let sample = lamp.sample(at.position, Vec2::ZERO).expect("shines everywhere");
+//! let (ray, way) = shadow_ray(&at, &sample);
+//! assert_eq!(ray.direction, Dir3::Y);
+//! assert!(way.contains(2.99) && !way.contains(3.0));
+//! ```
 
 use crate::light::LightSample;
 use crate::math::{interval::Interval, ray::Ray};

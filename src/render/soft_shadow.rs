@@ -1,4 +1,18 @@
 //! Soft shadows: the fraction of a light that is seen from a surface.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//! use raybook::render::soft_shadow::visible_fraction;
+//!
+//! // A roof over x < 0 hides half of the lamp.
+//! let lamp = RectLight::new(vec3(-1.0, 4.0, -1.0), vec3(2.0, 0.0, 0.0), vec3(0.0, 0.0, 2.0), Rgb::WHITE);
+//! let roof = Thing::new(Cuboid::between(vec3(-9.0, 2.0, -9.0), vec3(0.0, 2.1, 9.0)), ());
+//! let scene = Scene::new(vec![roof], vec![]);
+//! let at = Surface::flat(Vec3::ZERO, 0.0, Dir3::Y);
+//! let seen = visible_fraction(&scene, &at, &lamp, 1000, &mut pcg::stream(1, 0));
+//! assert!((seen - 0.5).abs() < 0.06); // the error is √(½·½/1000) = 0.016
+//! ```
 
 use crate::light::Light;
 use crate::math::pcg::Pcg;

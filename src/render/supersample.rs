@@ -1,4 +1,15 @@
 //! Supersampling: several rays per pixel, placed by a pattern and averaged by a filter.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::supersample::supersample;
+//! use raybook::sample::pattern::find;
+//!
+//! // A pixel whose left quarter is white: 16 points of a regular grid find the quarter exactly.
+//! let grid = find("regular-grid").expect("a pattern of this name");
+//! let quarter = |place: Vec2, _: &mut _| Rgb::gray(if place.x < 0.25 { 1.0 } else { 0.0 });
+//! assert_eq!(supersample(&Film::new(1, 1, 16), grid, quarter).at(0, 0), Rgb::gray(0.25));
+//! ```
 
 use crate::image::{Image, around};
 use crate::math::pcg::Pcg;

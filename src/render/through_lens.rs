@@ -1,4 +1,16 @@
 //! The film loop for a camera with a lens: every sample chooses a place in its pixel and a point of the lens.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::through_lens::through_lens;
+//!
+//! let body = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, 0.050, 1.0)?;
+//! let camera = ThinLens::new(&body, 2.0, 3.0, Aperture::Round)?;
+//! // The mean of x over all points where the rays start is 0: the middle of the lens.
+//! let picture = through_lens(&Film::new(1, 1, 64), &camera, |ray, _| Rgb::gray(ray.origin.x));
+//! assert!(picture.at(0, 0).g.abs() < 0.001); // the lens is 0.025 m wide
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::camera::Camera;
 use crate::image::Image;

@@ -1,4 +1,20 @@
 //! A complete ray tracer: the radiance along a ray through a described scene.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::trace::trace;
+//! use raybook::scene::description::{Backdrop, Description, Matter, Object};
+//!
+//! let scene = Description {
+//!     ambient: Rgb::BLACK,
+//!     backdrop: Backdrop { below: Rgb::BLACK, above: Rgb::WHITE },
+//!     lamps: vec![],
+//!     objects: vec![Object::plane(Dir3::Y, 0.0, Matter::mirror(Rgb::gray(0.9)))],
+//! };
+//! let down = Ray::new(Vec3::Y, -Dir3::Y);
+//! assert_eq!(trace(&scene, &down, 2), Rgb::gray(0.9)); // the sky in the mirror
+//! assert_eq!(trace(&scene, &down, 1), Rgb::BLACK); // the mirror is the last surface
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;

@@ -1,4 +1,16 @@
 //! Whitted's ray tracing: mirrors and glass show what further rays see.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::prelude::*;
+//! use raybook::render::{local::Local, shadow::lit};
+//!
+//! let floor = Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), Mirror { share: Rgb::gray(0.9) });
+//! let scene = Scene::new(vec![floor], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);
+//! let whitted = Whitted { local: Local { samples: 1, arrives: Some(lit) }, depth: 4 };
+//! let seen = whitted.radiance(&scene, &Ray::new(Vec3::Y, -Dir3::Y), &mut pcg::stream(0, 0));
+//! assert_eq!(seen, Rgb::gray(0.9)); // what the mirrored ray sees, times the mirror's share
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;

@@ -1,4 +1,12 @@
 //! Points of a disc, uniform over its area.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::sample::disk::concentric_disk;
+//!
+//! assert_eq!(concentric_disk(vec2(0.5, 0.5)).length(), 0.0); // the middle stays the middle
+//! assert!((concentric_disk(vec2(1.0, 0.2)).length() - 1.0).abs() < 1e-6); // an edge becomes the rim
+//! ```
 
 use glam::Vec2;
 use std::f32::consts::{FRAC_PI_2, FRAC_PI_4};

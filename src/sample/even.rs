@@ -1,4 +1,14 @@
 //! Low-discrepancy random numbers: they are spread evenly over the samples of a pixel, which gives less noise for the same work.
+//!
+//! ```
+//! use raybook::sample::even::Even;
+//!
+//! // Of the four samples of a pixel, one is in each quarter of the square.
+//! let quarter = |i| Even::new(42, i, 4).pair().to_array().map(|v| v >= 0.5);
+//! let mut quarters = [0, 1, 2, 3].map(quarter);
+//! quarters.sort();
+//! assert_eq!(quarters, [[false, false], [false, true], [true, false], [true, true]]);
+//! ```
 
 use crate::math::pcg::mix;
 use crate::sample::pattern::sobol::sobol;

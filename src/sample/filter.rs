@@ -1,4 +1,13 @@
 //! Reconstruction filters: the weight of a sample for a pixel, by the sample's place.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::sample::filter::Filter;
+//!
+//! assert_eq!(Filter::TENT.weight(vec2(0.5, 0.0)), 0.5);
+//! assert_eq!(Filter::BOX.weight(vec2(0.6, 0.0)), 0.0); // outside the pixel
+//! assert!(Filter::MITCHELL.weight(vec2(1.5, 0.0)) < 0.0); // sharpens
+//! ```
 
 use crate::image::rgb::Rgb;
 use glam::Vec2;

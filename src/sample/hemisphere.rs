@@ -1,6 +1,19 @@
 //! Random directions of a hemisphere: uniform, or with a density proportional to the cosine or to a power of the cosine.
 //!
 //! Each function makes a direction from u, uniform in [0, 1)². Its density is per steradian, and integrates to 1.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::math::dir3::Dir3;
+//! use raybook::sample::hemisphere::{cosine_hemisphere, uniform_hemisphere};
+//!
+//! // The mean of the cosine is 1/2 over the hemisphere, but 2/3 with a density proportional to the cosine.
+//! let mean = |direction: fn(Dir3, glam::Vec2) -> Dir3| {
+//!     (0..1000).map(|i| direction(Dir3::Y, vec2((i as f32 + 0.5) / 1000.0, 0.0)).y).sum::<f32>() / 1000.0
+//! };
+//! assert!((mean(uniform_hemisphere) - 0.5).abs() < 1e-3);
+//! assert!((mean(cosine_hemisphere) - 2.0 / 3.0).abs() < 1e-3);
+//! ```
 
 use crate::math::{basis::Basis, dir3::Dir3};
 use glam::{Vec2, vec3};

@@ -1,4 +1,14 @@
 //! Points of a regular polygon, uniform over its area.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::sample::polygon::regular_polygon;
+//!
+//! let corner = regular_polygon(6, 0.0, vec2(1.0, 0.0));
+//! assert!(corner.distance(vec2(1.0, 0.0)) < 1e-6); // on the unit circle
+//! let middle_of_side = regular_polygon(6, 0.0, vec2(1.0, 1.0 / 12.0));
+//! assert!((middle_of_side.length() - 0.75_f32.sqrt()).abs() < 1e-6); // nearer to the middle
+//! ```
 
 use glam::Vec2;
 use std::f32::consts::TAU;

@@ -1,4 +1,13 @@
 //! A flat disc of hot gas that circles a black hole.
+//!
+//! ```
+//! use raybook::scene::accretion_disc::AccretionDisc;
+//!
+//! let disc = AccretionDisc::new(12.0, 6000.0);
+//! assert!(!disc.holds(2.9) && disc.holds(3.1)); // no orbit below 3 radii is stable
+//! // The hottest place is a little farther out than the inner edge, at 3 · 49/36 = 4.1 radii.
+//! assert!(disc.temperature(4.1) > disc.temperature(3.5) && disc.temperature(4.1) > disc.temperature(5.0));
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::black_body::black_body;

@@ -1,4 +1,14 @@
 //! Backdrops from a picture: the radiance for rays that meet nothing.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::backdrop::panorama;
+//!
+//! let map = MipMap::new(&Image::from_fn(8, 4, |_, y| Rgb::gray(if y < 2 { 1.0 } else { 0.2 })));
+//! let sky = panorama(map);
+//! let upwards = Dir3::new(vec3(0.0, 1.0, -1.0)).expect("longer than 0");
+//! assert_eq!(sky(&Ray::new(Vec3::ZERO, upwards)), Rgb::WHITE);
+//! ```
 
 use crate::image::{mip::MipMap, rgb::Rgb};
 use crate::light::environment::latlong;

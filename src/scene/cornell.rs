@@ -7,6 +7,16 @@
 //! The spectra are converted to linear sRGB with the colour-matching functions of 1931, as fitted by Wyman, Sloan and Shirley
 //! (2013): those of the paints in daylight (D65), relative to a perfectly white paint, that of the lamp as it is.
 //! `tests/library/ch17_rendering_equation` repeats the conversion.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::cornell;
+//!
+//! let area = cornell::lamp().area();
+//! assert!((area - 0.13 * 0.105).abs() < 1e-4); // m²
+//! let up = Ray::new(vec3(0.1, 0.273, 0.279), Dir3::Y);
+//! assert!((cornell::cornell_box().closest(&up).expect("the ceiling").t - (0.5488 - 0.273)).abs() < 1e-4);
+//! ```
 
 use crate::accel::Meshed;
 use crate::accel::bvh::build::Method;

@@ -1,4 +1,19 @@
 //! A scene described by numbers only: a list that fits on one line, in any language.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::description::{Backdrop, Description, Matter, Object};
+//!
+//! let scene = Description {
+//!     ambient: Rgb::BLACK,
+//!     backdrop: Backdrop { below: Rgb::BLACK, above: Rgb::WHITE },
+//!     lamps: vec![],
+//!     objects: vec![Object::sphere(Vec3::ZERO, 1.0, Matter::glass(1.5))],
+//! };
+//! assert_eq!(scene.backdrop.seen(Dir3::X), Rgb::gray(0.5)); // on the horizon
+//! let (_, hit) = scene.nearest(&Ray::new(vec3(0.0, 0.0, 4.0), -Dir3::Z)).expect("the ball");
+//! assert_eq!(hit.t, 3.0);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;

@@ -1,4 +1,11 @@
 //! Four described scenes of increasing difficulty, to test a complete ray tracer.
+//!
+//! ```
+//! use raybook::scene::four_scenes::FOUR;
+//!
+//! assert_eq!(FOUR.map(|staged| staged.name), ["spheres", "lamps", "mirrors", "glass"]);
+//! assert_eq!((FOUR[0].scene)().objects.len(), 4); // three balls and a plane
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::point::PointLight;

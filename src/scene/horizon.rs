@@ -1,4 +1,14 @@
 //! A chequered plane to the horizon, with three balls: everything that aliases.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::horizon;
+//!
+//! // From the camera's height of 1.5 m, a ray that falls by 1 in 100 meets the plane after 150 m.
+//! let flat = Dir3::new(vec3(0.0, -1.0, -100.0)).expect("longer than 0");
+//! let seen = horizon::scene().closest(&Ray::new(vec3(40.0, 1.5, 6.5), flat)).map(|seen| seen.t);
+//! assert!((seen.expect("the plane") - 150.0).abs() < 0.1);
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight};

@@ -1,4 +1,14 @@
 //! Marbles on a polished floor of a chessboard pattern, in the light of a lamp and the sun.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::marbles;
+//!
+//! // The roof takes the sun away.
+//! let up = Ray::new(vec3(0.0, 3.0, 0.0), Dir3::Y);
+//! assert!(marbles::scene().closest(&up).is_none());
+//! assert!(marbles::under_roof().closest(&up).is_some());
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::{Light, directional::DirectionalLight, point::PointLight};

@@ -1,4 +1,15 @@
 //! Models: an OBJ file with its materials and their pictures, as the things of a scene.
+//!
+//! ```
+//! use raybook::scene::model;
+//!
+//! let path = std::env::temp_dir().join(format!("raybook-{}.obj", std::process::id()));
+//! let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
+//! std::fs::write(&path, format!("{corners}usemtl brick\nf 1 2 3\nusemtl roof\nf 1 3 4\n"))?;
+//! assert_eq!(model::load(&path)?.len(), 2); // a thing for each material
+//! std::fs::remove_file(&path)?;
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 
 use crate::accel::{Meshed, wide_bvh::WideBvh};
 use crate::image::file::{self, FileError};

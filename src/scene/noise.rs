@@ -1,4 +1,13 @@
 //! Smooth random functions, for patterns such as clouds, waves and wood.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::scene::noise::noise;
+//!
+//! // A random number at whole coordinates, and nearly the same number close by.
+//! assert_ne!(noise(vec2(3.0, 7.0)), noise(vec2(4.0, 7.0)));
+//! assert!((noise(vec2(3.0, 7.0)) - noise(vec2(3.01, 7.0))).abs() < 0.01);
+//! ```
 
 use glam::Vec2;
 

@@ -1,4 +1,10 @@
 //! Four plates and four lamps: a test of multiple importance sampling, in which neither strategy is best everywhere.
+//!
+//! ```
+//! use raybook::scene::plates::plates;
+//!
+//! assert_eq!(plates().lights.len(), 4); // of four sizes
+//! ```
 
 use crate::accel::{Meshed, list::List};
 use crate::image::rgb::Rgb;

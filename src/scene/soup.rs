@@ -1,4 +1,12 @@
 //! A triangle soup: random triangles that are not connected.
+//!
+//! ```
+//! use raybook::scene::soup::soup;
+//!
+//! let mesh = soup(1000, 1);
+//! assert_eq!((mesh.triangles().len(), mesh.positions().len()), (1000, 3000)); // no triangle shares a corner
+//! assert_eq!(mesh, soup(1000, 1)); // the same seed, the same soup
+//! ```
 
 use crate::math::pcg;
 use crate::shape::mesh::Mesh;

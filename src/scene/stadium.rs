@@ -1,4 +1,12 @@
 //! The teapot in a stadium: a small object of many triangles in the middle of a large one.
+//!
+//! ```
+//! use raybook::scene::stadium::{Part, stadium};
+//!
+//! let stadium = stadium(1);
+//! assert_eq!(stadium.part(0), Part::Teapot);
+//! assert!(stadium.mesh.bounds().size().x > 100.0 && stadium.mesh.triangles().len() > 8000);
+//! ```
 
 use crate::shape::mesh::Mesh;
 use crate::shape::teapot;

@@ -1,4 +1,13 @@
 //! Three balls on a plinth, to compare lights: one is matte, one glossy, one of gold.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::scene::still_life::still_life;
+//!
+//! let scene = still_life(Box::new(PointLight { position: vec3(0.0, 5.0, 0.0), intensity: Rgb::WHITE }));
+//! let down = Ray::new(vec3(-0.15, 5.0, -0.35), -Dir3::Y);
+//! assert!((scene.closest(&down).expect("the middle ball").t - 3.0).abs() < 1e-4); // its top is at 2 m
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::light::Light;

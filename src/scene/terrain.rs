@@ -1,4 +1,12 @@
 //! Mountains: a height field of two triangles per square.
+//!
+//! ```
+//! use raybook::scene::terrain::terrain;
+//!
+//! let mesh = terrain(8);
+//! assert_eq!(mesh.triangles().len(), 2 * 8 * 8);
+//! assert!((mesh.bounds().size().x - 10.0).abs() < 1e-4 && mesh.bounds().size().y < 2.0);
+//! ```
 
 use crate::scene::noise;
 use crate::shape::mesh::Mesh;

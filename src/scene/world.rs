@@ -1,4 +1,15 @@
 //! A scene: things, which are shapes with materials, and lights.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Mirror { share: Rgb::WHITE });
+//! let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::new(0.2, 0.4, 0.8));
+//! let ray = |y| Ray::new(vec3(0.0, y, 5.0), -Dir3::Z);
+//! assert_eq!(scene.closest(&ray(0.0)).map(|seen| seen.t), Some(4.0));
+//! assert!(scene.closest(&ray(2.0)).is_none()); // it passes above the ball, and finds the backdrop
+//! assert_eq!(scene.behind_everything(&ray(2.0)).b, 0.8);
+//! ```
 
 use crate::accel::Accel;
 use crate::accel::bvh::{Bvh, build::Method};

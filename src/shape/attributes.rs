@@ -1,4 +1,13 @@
 //! The attributes of a mesh's vertices, and their interpolation inside triangles.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::attributes::interpolate_normal;
+//!
+//! let normal = interpolate_normal([Dir3::X, Dir3::Y, Dir3::Z], vec2(0.5, 0.0));
+//! assert!((normal.length() - 1.0).abs() < 1e-6); // the mean of x and y would be 0.7 long
+//! assert_eq!(normal.x, normal.y);
+//! ```
 
 use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3};

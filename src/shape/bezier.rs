@@ -1,4 +1,15 @@
 //! The bicubic Bézier patch: a curved surface with sixteen control points.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::bezier::Patch;
+//!
+//! // A flat patch with evenly spaced control points: u runs along z, v along x.
+//! let rows = std::array::from_fn(|i| std::array::from_fn(|j| vec3(j as f32, 0.0, i as f32)));
+//! let patch = Patch { rows };
+//! assert_eq!(patch.point(0.0, 1.0), vec3(3.0, 0.0, 0.0)); // a corner is a control point
+//! assert_eq!(patch.point(0.5, 0.5), vec3(1.5, 0.0, 1.5));
+//! ```
 
 use crate::math::dir3::Dir3;
 use glam::Vec3;

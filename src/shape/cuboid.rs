@@ -1,4 +1,13 @@
 //! The axis-aligned box.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let cube = Cuboid::between(Vec3::ZERO, vec3(1.0, 1.0, 1.0));
+//! let distance = |z| cube.hit(&Ray::new(vec3(0.5, 0.5, z), Dir3::Z), Interval::AHEAD).map(|hit| hit.t);
+//! assert_eq!(distance(-2.0), Some(2.0)); // where the ray enters
+//! assert_eq!(distance(0.25), Some(0.75)); // from inside, where it leaves
+//! ```
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray, slab};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};

@@ -1,4 +1,19 @@
 //! Instances: a shape that is scaled, rotated and moved, without a copy of it.
+//!
+//! ```
+//! use glam::Mat3;
+//! use raybook::prelude::*;
+//! use std::sync::Arc;
+//!
+//! let large = Instance {
+//!     shape: Arc::new(Sphere::new(Vec3::ZERO, 1.0)),
+//!     scale: 2.0,
+//!     rotation: Mat3::IDENTITY,
+//!     translation: vec3(0.0, 0.0, 10.0),
+//! };
+//! let hit = large.hit(&Ray::new(Vec3::ZERO, Dir3::Z), Interval::AHEAD);
+//! assert_eq!(hit.map(|hit| hit.t), Some(8.0)); // 10 m to the centre, less 2 · 1 m
+//! ```
 
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};

@@ -1,4 +1,15 @@
 //! A triangle mesh: shared vertices, their attributes, and triangles that name three vertices each.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! // A square of two triangles, which share two of its four corners.
+//! let corners = vec![Vec3::ZERO, Vec3::X, vec3(1.0, 1.0, 0.0), Vec3::Y];
+//! let square = Mesh::new(corners, vec![[0, 1, 2], [0, 2, 3]], None, None)?;
+//! assert_eq!((square.positions().len(), square.facets().len()), (4, 2));
+//! assert_eq!(square.normals()[0], Dir3::Z); // averaged from the triangles
+//! # Ok::<(), raybook::shape::mesh::MeshError>(())
+//! ```
 
 use crate::math::domain::{LARGEST, SMALLEST};
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};

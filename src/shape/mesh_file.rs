@@ -1,4 +1,12 @@
 //! Meshes from files: the reader for a file's name, and the errors.
+//!
+//! ```
+//! use raybook::shape::mesh_file;
+//! use std::path::Path;
+//!
+//! let error = mesh_file::load(Path::new("scan.doc")).expect_err("not a name of a mesh");
+//! assert!(error.to_string().contains(".ply")); // the error tells which names would do
+//! ```
 
 use crate::shape::mesh::Mesh;
 use crate::shape::obj::{self, Part, Parts};

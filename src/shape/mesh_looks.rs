@@ -1,5 +1,14 @@
 //! Flat and smooth meshes: the same triangles, shaded as flat faces or as one round surface. A normal map must be added
 //! afterwards.
+//!
+//! ```
+//! use raybook::shape::teapot;
+//!
+//! let smooth = teapot::mesh(1);
+//! let flat = smooth.flat();
+//! assert_eq!(flat.triangles().len(), smooth.triangles().len());
+//! assert_eq!(flat.positions().len(), 3 * flat.triangles().len()); // no vertex is shared
+//! ```
 
 use crate::math::dir3::Dir3;
 use crate::shape::attributes::vertex_normals;

@@ -1,4 +1,16 @@
 //! Floor 2: what a ray can hit.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = Sphere::new(Vec3::ZERO, 1.0);
+//! let ray = Ray::new(vec3(0.0, 0.0, 3.0), -Dir3::Z);
+//! let hit = ball.hit(&ray, Interval::AHEAD).expect("in the way");
+//! let surface = ball.surface(&ray, &hit);
+//! assert_eq!((hit.t, surface.normal), (2.0, Dir3::Z));
+//! // A ray that leaves to the outside does not hit the ball again.
+//! assert!(!ball.blocks(&surface.leave(Dir3::Z), Interval::AHEAD));
+//! ```
 
 pub mod attributes;
 pub mod bezier;

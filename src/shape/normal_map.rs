@@ -1,4 +1,15 @@
 //! Normal maps: small bumps for shading only, stored in a picture.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::normal_map::NormalMap;
+//!
+//! let even = NormalMap::new(&Image::from_fn(1, 1, |_, _| Rgb::new(0.5, 0.5, 1.0)));
+//! let slope = NormalMap::new(&Image::from_fn(1, 1, |_, _| Rgb::new(1.0, 0.5, 1.0)));
+//! let tilt = |map: &NormalMap| map.tilt(Dir3::Z, [Vec3::X, Vec3::Y], [Vec2::X, Vec2::Y], Vec2::ZERO);
+//! assert_eq!(tilt(&even), Dir3::Z);
+//! assert!((tilt(&slope).x - tilt(&slope).z).abs() < 1e-6); // (1, 0, 1): by 45° towards u
+//! ```
 
 use crate::image::{Image, mip::MipMap};
 use crate::math::dir3::Dir3;

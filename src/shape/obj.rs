@@ -2,6 +2,16 @@
 //!
 //! This reader exists although there are crates for OBJ: `tobj` 4 reports no line, accepts NaN as a number and the index 0 as a
 //! missing index, and shifts the normals if only some corners have one. The tests compare the two readers on valid files.
+//!
+//! ```
+//! use raybook::shape::obj;
+//!
+//! let mesh = obj::parse("v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3 4\n")?;
+//! assert_eq!(mesh.triangles(), [[0, 1, 2], [0, 2, 3]]);
+//! let error = obj::parse("v 0 0 0\nv 1 0 O\n").expect_err("a letter for a zero");
+//! assert_eq!((error.line, error.column), (2, 7));
+//! # Ok::<(), raybook::shape::word::Wrong>(())
+//! ```
 
 use crate::math::dir3::Dir3;
 use crate::memory::BUDGET;

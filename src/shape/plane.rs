@@ -1,4 +1,13 @@
 //! The infinite plane.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let floor = Plane::through(Vec3::ZERO, Dir3::Y);
+//! let steep = Dir3::new(vec3(3.0, -4.0, 0.0)).expect("longer than 0");
+//! let hit = floor.hit(&Ray::new(vec3(0.0, 4.0, 0.0), steep), Interval::AHEAD);
+//! assert!((hit.expect("below").t - 5.0).abs() < 1e-5); // 4 m down, 3 m to the side
+//! ```
 
 use crate::math::{aabb::Aabb, basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};

@@ -1,4 +1,13 @@
 //! The sphere.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = Sphere::new(vec3(0.0, 0.0, 5.0), 1.0);
+//! let hit = ball.hit(&Ray::new(Vec3::ZERO, Dir3::Z), Interval::AHEAD);
+//! assert_eq!(hit.map(|hit| hit.t), Some(4.0));
+//! assert!(Sphere::checked(Vec3::ZERO, 0.0).is_err()); // a point is no sphere
+//! ```
 
 use crate::math::domain::LARGEST;
 use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, quadratic, ray::Ray};
@@ -11,7 +20,7 @@ use std::f32::consts::{PI, TAU};
 pub struct Sphere {
     /// c, in metres.
     pub center: Vec3,
-    /// r ≥ 0, in metres.
+    /// r > 0, in metres.
     pub radius: f32,
 }
 
@@ -21,8 +30,8 @@ pub enum SphereError {
     /// The centre is outside the domain, or NaN.
     #[error("a sphere's centre must be at most {LARGEST:e} m from 0 along each axis, and is {0}")]
     Center(Vec3),
-    /// The radius is negative, outside the domain, or NaN.
-    #[error("a sphere's radius must be from 0 to {LARGEST:e} m, and is {0}")]
+    /// The radius is 0 or negative, outside the domain, or NaN.
+    #[error("a sphere's radius must be above 0 and at most {LARGEST:e} m, and is {0}")]
     Radius(f32),
 }
 
@@ -38,12 +47,12 @@ impl Sphere {
     /// A sphere from its centre and radius, in metres.
     ///
     /// # Errors
-    /// If they are outside the [domain](crate::math::domain).
+    /// If they are outside the [domain](crate::math::domain); a radius of 0 is.
     pub fn checked(center: Vec3, radius: f32) -> Result<Self, SphereError> {
         let near = center.abs().cmple(Vec3::splat(LARGEST)).all();
         if !near {
             Err(SphereError::Center(center))
-        } else if !(0.0..=LARGEST).contains(&radius) {
+        } else if !(radius > 0.0 && radius <= LARGEST) {
             Err(SphereError::Radius(radius))
         } else {
             Ok(Self { center, radius })

@@ -2,6 +2,17 @@
 //!
 //! Corners at the same place become one vertex, whose normal is averaged. The normals in the file, one per triangle and
 //! often wrong, are ignored. This reader reports each error with its line or byte.
+//!
+//! ```
+//! use raybook::shape::stl;
+//!
+//! let corners = |z| format!("outer loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 {z}\nendloop\n");
+//! let facet = |z| format!("facet normal 0 0 1\n{}endfacet\n", corners(z));
+//! let mesh = stl::parse(&format!("solid two\n{}{}endsolid two\n", facet(0), facet(1)))?;
+//! // Two triangles of three corners, two of which they share.
+//! assert_eq!((mesh.triangles().len(), mesh.positions().len()), (2, 4));
+//! # Ok::<(), raybook::shape::word::Wrong>(())
+//! ```
 
 use crate::math::domain::LARGEST;
 use crate::shape::mesh::{Mesh, MeshError};

@@ -1,4 +1,11 @@
 //! The Utah teapot (Newell 1975), as a mesh of any fineness.
+//!
+//! ```
+//! use raybook::shape::teapot;
+//!
+//! let [coarse, fine] = [1, 4].map(|n| teapot::mesh(n).triangles().len());
+//! assert!(fine > 12 * coarse); // triangles grow as n²
+//! ```
 
 use crate::math::dir3::Dir3;
 use crate::shape::bezier::Patch;

@@ -1,4 +1,13 @@
 //! The triangle, hit by the method of Möller and Trumbore.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let triangle = Triangle::new(Vec3::ZERO, Vec3::X, Vec3::Y);
+//! let ray = Ray::new(vec3(0.25, 0.5, 3.0), -Dir3::Z);
+//! let hit = triangle.hit(&ray, Interval::AHEAD).expect("inside");
+//! assert_eq!((hit.t, hit.uv), (3.0, vec2(0.25, 0.5))); // the barycentric coordinates b₁ and b₂
+//! ```
 
 use crate::math::{aabb::Aabb, dir3::Dir3, domain::AREA_MIN, interval::Interval, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};

@@ -1,4 +1,14 @@
 //! The hit of a triangle by Cramer's rule, with its four determinants written out.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::triangle_by_determinants;
+//!
+//! let triangle = Triangle::new(Vec3::ZERO, Vec3::X, Vec3::Y);
+//! let ray = Ray::new(vec3(0.25, 0.5, 3.0), -Dir3::Z);
+//! let hit = triangle_by_determinants::hit(&triangle, &ray, Interval::AHEAD);
+//! assert_eq!(hit, triangle.hit(&ray, Interval::AHEAD)); // two methods, one answer
+//! ```
 
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};

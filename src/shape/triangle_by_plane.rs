@@ -1,4 +1,14 @@
 //! The hit of a triangle in two steps: first the hit of its plane, then the test whether the point is inside.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::triangle_by_plane;
+//!
+//! let triangle = Triangle::new(Vec3::ZERO, Vec3::X, Vec3::Y);
+//! let distance = |x| triangle_by_plane::hit(&triangle, &Ray::new(vec3(x, 0.5, 3.0), -Dir3::Z), Interval::AHEAD);
+//! assert_eq!(distance(0.25).map(|hit| hit.t), Some(3.0));
+//! assert!(distance(0.75).is_none()); // meets the plane, but b₁ + b₂ > 1
+//! ```
 
 use crate::math::{interval::Interval, ray::Ray};
 use crate::shape::{Hit, triangle::Triangle};

@@ -1,4 +1,15 @@
 //! The watertight hit of a triangle: no ray slips through between the triangles of a closed mesh.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::shape::triangle_watertight;
+//!
+//! // Two triangles share an edge. A ray through the edge hits at least one of them.
+//! let [a, b, c, d] = [Vec3::ZERO, vec3(1.0, 1.0, 0.0), Vec3::Y, Vec3::X];
+//! let ray = Ray::new(vec3(0.3, 0.3, 1.0), -Dir3::Z);
+//! let hit = |corners| triangle_watertight::hit(&corners, &ray, Interval::AHEAD).is_some();
+//! assert!(hit([a, b, c]) || hit([a, d, b]));
+//! ```
 
 use crate::math::{
     domain::{AREA_MAX, AREA_MIN},

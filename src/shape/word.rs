@@ -1,4 +1,12 @@
 //! Text as lines of words that know their places, for files that are written by hand and may contain errors.
+//!
+//! ```
+//! use raybook::shape::word;
+//!
+//! let lines: Vec<_> = word::lines("v 1 2 3\n\n  f 1 x\n").collect();
+//! let wrong = lines[1][2].number().expect_err("a letter");
+//! assert_eq!(wrong.to_string(), "3:7: expected a number, found `x`"); // line and column
+//! ```
 
 use crate::math::domain::LARGEST;
 use crate::memory::{BUDGET, gigabytes};

@@ -250,6 +250,8 @@ fn a_sphere_outside_the_domain_is_refused() {
     for radius in [
         -1.0,
         -f32::MIN_POSITIVE,
+        0.0,
+        -0.0,
         f32::NAN,
         f32::INFINITY,
         2.0 * LARGEST,
@@ -267,7 +269,7 @@ fn a_sphere_outside_the_domain_is_refused() {
             "{center}: {refused:?}"
         );
     }
-    for radius in [0.0, SMALLEST, 1.0, LARGEST] {
+    for radius in [f32::MIN_POSITIVE, SMALLEST, 1.0, LARGEST] {
         let sphere = Sphere::checked(Vec3::splat(-LARGEST), radius).expect("in the domain");
         assert!(
             sphere.bounds().min.is_finite() && sphere.bounds().max.is_finite(),

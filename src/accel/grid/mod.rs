@@ -1,4 +1,16 @@
 //! The uniform grid: space cut into equal cells, each with a list of the shapes that reach it.
+//!
+//! ```
+//! use glam::UVec3;
+//! use raybook::accel::grid::Grid;
+//! use raybook::prelude::*;
+//!
+//! let ball = |x| Sphere::new(vec3(x, 0.0, 0.0), 0.5);
+//! let grid = Grid::with_resolution(vec![ball(0.0), ball(7.0)], UVec3::new(8, 1, 1));
+//! assert!(grid.references() < 8); // each ball is in few of the 8 cells
+//! let hit = grid.closest(&Ray::new(vec3(-2.0, 0.0, 0.0), Dir3::X), Interval::AHEAD);
+//! assert_eq!(hit.map(|(_, hit)| hit.t), Some(1.5));
+//! ```
 
 pub(crate) mod build;
 pub(crate) mod lists;

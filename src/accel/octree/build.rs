@@ -1,4 +1,12 @@
 //! Building an octree: cells are cut in eight, as long as cutting pays.
+//!
+//! ```
+//! use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
+//! use raybook::scene::soup::soup;
+//!
+//! let bytes = |depth| Octree::with(soup(500, 1).facets(), Limits { depth, ..Limits::USUAL }, by_triangle).bytes();
+//! assert!(bytes(1) < bytes(5)); // more cuts take more memory
+//! ```
 
 use crate::accel::octree::tree::{Node, Tree, child_cell};
 use crate::math::aabb::Aabb;

@@ -1,4 +1,14 @@
 //! The octree: cells that hold many shapes are cut in eight.
+//!
+//! ```
+//! use raybook::accel::octree::Octree;
+//! use raybook::prelude::*;
+//!
+//! let mesh = raybook::shape::teapot::mesh(2);
+//! let (octree, list) = (Octree::of_facets(mesh.facets()), List::new(mesh.facets()));
+//! let ray = Ray::new(vec3(0.0, 9.0, 0.1), -Dir3::Y);
+//! assert_eq!(octree.closest(&ray, Interval::AHEAD), list.closest(&ray, Interval::AHEAD));
+//! ```
 
 pub mod build;
 pub mod reach;

@@ -1,4 +1,19 @@
 //! Which of eight cells a shape reaches.
+//!
+//! ```
+//! use glam::vec3;
+//! use raybook::accel::octree::reach::{by_bounds, by_triangle};
+//! use raybook::inside::octree::child_cell;
+//! use raybook::math::aabb::Aabb;
+//! use raybook::shape::mesh::Facet;
+//!
+//! let cell = Aabb::new(vec3(-1.0, -1.0, -1.0), vec3(1.0, 1.0, 1.0));
+//! let cells = std::array::from_fn(|i| child_cell(&cell, i));
+//! let corners = [vec3(-0.5, -0.5, 0.5), vec3(0.3, -0.5, 0.5), vec3(-0.5, 0.3, 0.5)];
+//! let facet = Facet { corners, id: 0 };
+//! assert_eq!(by_bounds(&facet, &cells).count_ones(), 4); // of the upper four cells, its box reaches all
+//! assert_eq!(by_triangle(&facet, &cells).count_ones(), 3); // the triangle itself does not reach one
+//! ```
 
 use crate::accel::overlap::Separation;
 use crate::math::aabb::Aabb;

@@ -1,4 +1,14 @@
 //! Sorting shapes into coarse cells, and the shapes of each coarse cell into its fine cells.
+//!
+//! ```
+//! use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
+//! use raybook::scene::soup::soup;
+//!
+//! let facets = soup(500, 1).facets();
+//! let coarse = TwoLevelGrid::of_facets_with(facets.clone(), Densities { fine: 0.5, ..Densities::USUAL });
+//! let fine = TwoLevelGrid::of_facets_with(facets, Densities { fine: 8.0, ..Densities::USUAL });
+//! assert!(fine.references() > coarse.references()); // smaller cells: a facet is in more of them
+//! ```
 
 use crate::accel::two_level_grid::{
     levels::Levels,

@@ -1,4 +1,18 @@
 //! The two-level grid: a coarse grid, each of whose cells is a grid of its own.
+//!
+//! ```
+//! use raybook::accel::{Tests, grid::Grid, two_level_grid::TwoLevelGrid};
+//! use raybook::prelude::*;
+//! use raybook::scene::stadium::stadium;
+//!
+//! // A teapot in a stadium: one cell of the grid holds the whole teapot; a coarse cell is cut again.
+//! let facets = stadium(1).mesh.facets();
+//! let ray = Ray::new(vec3(0.0, 5.0, 0.01), -Dir3::Y);
+//! let [mut one_level, mut two_levels] = [Tests::default(); 2];
+//! Grid::of_facets(facets.clone()).closest_counted(&ray, Interval::AHEAD, &mut one_level);
+//! TwoLevelGrid::of_facets(facets).closest_counted(&ray, Interval::AHEAD, &mut two_levels);
+//! assert!(two_levels.shapes < one_level.shapes);
+//! ```
 
 pub mod build;
 pub(crate) mod levels;

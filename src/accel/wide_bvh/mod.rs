@@ -1,4 +1,15 @@
 //! The wide bounding volume hierarchy: eight children, tested at once.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let mesh = raybook::shape::teapot::mesh(4);
+//! let (wide, list) = (WideBvh::new(mesh.facets()), List::new(mesh.facets()));
+//! let ray = Ray::new(vec3(0.1, 9.0, 0.2), -Dir3::Y);
+//! let by_wide = wide.closest(&ray, Interval::AHEAD).map(|(facet, _)| facet.id);
+//! let by_list = list.closest(&ray, Interval::AHEAD).map(|(facet, _)| facet.id);
+//! assert!(by_wide.is_some() && by_wide == by_list); // the same triangle of the lid
+//! ```
 
 #![expect(
     clippy::inline_always,

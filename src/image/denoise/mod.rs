@@ -1,5 +1,17 @@
 //! Denoising a picture of random samples: the colours around each pixel that differ by noise only are replaced by a plane fitted
 //! to them.
+//!
+//! ```
+//! use raybook::image::denoise::denoise;
+//! use raybook::image::rms::rms;
+//! use raybook::prelude::*;
+//!
+//! // A grey wall, drawn twice with noise of ± 0.1.
+//! let noisy = |odd: usize| Image::from_fn(16, 16, |x, y| Rgb::gray([0.4, 0.6][(x * 7 + y * 5 + x * y + odd) % 2]));
+//! let smooth = denoise(&[noisy(0), noisy(1)], &[]);
+//! let wall = Image::from_fn(16, 16, |_, _| Rgb::gray(0.5));
+//! assert!(rms(&wall, &smooth, |_, _| true) < 0.2 * rms(&wall, &noisy(0), |_, _| true));
+//! ```
 
 mod alike;
 mod fit;

@@ -1,5 +1,14 @@
 //! The angular map: all directions in a disc, where equal angles are equal distances from the middle; pictures of mirror balls
 //! are converted into it (Debevec 1998).
+//!
+//! ```
+//! use raybook::light::environment::{angular::Angular, convert::Layout};
+//! use raybook::prelude::*;
+//!
+//! assert_eq!(Angular.place(-Dir3::Z), vec2(0.5, 0.5)); // ahead: the middle
+//! let aside = Angular.place(Dir3::X) - vec2(0.5, 0.5);
+//! assert!((aside.length() - 0.25).abs() < 1e-6); // 90° aside: half of the way to the rim, which is 180°
+//! ```
 
 use crate::light::environment::convert::Layout;
 use crate::math::dir3::Dir3;

@@ -1,4 +1,14 @@
 //! Conversion between layouts of an environment's picture.
+//!
+//! ```
+//! use raybook::light::environment::{convert, convert::LatLong, cube::Cross};
+//! use raybook::prelude::*;
+//!
+//! let gray = Image::from_fn(8, 4, |_, _| Rgb::gray(0.5));
+//! let cross = convert::convert(&gray, &LatLong, &Cross, 8, 6);
+//! assert_eq!(cross.at(2, 2), Rgb::gray(0.5)); // on a face
+//! assert_eq!(cross.at(0, 0), Rgb::BLACK); // beside the cross there is no direction
+//! ```
 
 use crate::image::{Image, rgb::Rgb};
 use crate::light::environment::latlong;

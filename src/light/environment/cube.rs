@@ -1,4 +1,12 @@
 //! The cube map: six square pictures, as on the walls of a room.
+//!
+//! ```
+//! use raybook::light::environment::cube;
+//! use raybook::prelude::*;
+//!
+//! assert_eq!(cube::place(Dir3::X), (0, vec2(0.5, 0.5))); // the middle of the face +x
+//! assert_eq!(cube::direction(5, vec2(0.5, 0.5)), -Dir3::Z);
+//! ```
 
 use crate::light::environment::convert::Layout;
 use crate::math::dir3::Dir3;

@@ -1,4 +1,12 @@
 //! The latitude–longitude map, also called equirectangular map or sphere map: like a map of the world, seen from inside.
+//!
+//! ```
+//! use raybook::light::environment::latlong;
+//! use raybook::prelude::*;
+//!
+//! assert_eq!(latlong::place(-Dir3::Z), vec2(0.5, 0.5)); // the middle of the map
+//! assert!(latlong::direction(vec2(0.75, 0.5)).dot(*Dir3::X) > 0.999); // a quarter turn to the right
+//! ```
 
 use crate::math::dir3::Dir3;
 use glam::{Vec2, Vec3, vec2};

@@ -1,4 +1,14 @@
 //! Light from all directions, stored in a picture.
+//!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! // A sky whose upper half shines: with 2 rows of texels, the density is uniform over a hemisphere.
+//! let sky = Environment::new(Image::from_fn(4, 2, |_, y| if y == 0 { Rgb::WHITE } else { Rgb::BLACK }));
+//! assert_eq!(sky.radiance(-Dir3::Y), Rgb::BLACK);
+//! assert!((sky.density(Dir3::Y) - 1.0 / std::f32::consts::TAU).abs() < 1e-5);
+//! assert!(sky.choose(vec2(0.3, 0.9)).is_some_and(|toward| toward.y > 0.0));
+//! ```
 
 pub mod angular;
 pub mod convert;

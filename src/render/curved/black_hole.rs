@@ -1,4 +1,14 @@
 //! A black hole in front of the stars, with or without a disc of gas around it.
+//!
+//! ```
+//! use raybook::prelude::*;
+//! use raybook::render::curved::black_hole::BlackHole;
+//!
+//! let hole = BlackHole { disc: None, sky: &|_| Rgb::WHITE };
+//! let eye = vec3(0.0, 0.0, 20.0);
+//! assert_eq!(hole.radiance(eye, -Dir3::Z), Rgb::BLACK); // straight into the hole
+//! assert_eq!(hole.radiance(eye, Dir3::X), Rgb::WHITE); // past it, to the sky
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::math::dir3::Dir3;

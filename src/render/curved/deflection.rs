@@ -1,4 +1,13 @@
 //! The angle by which a black hole bends a ray that comes from far away and escapes.
+//!
+//! ```
+//! use raybook::render::curved::deflection::deflection_angle;
+//!
+//! // Far out, Einstein's 2/b, with b in radii of the hole.
+//! let angle = deflection_angle(1000.0).expect("escapes");
+//! assert!((angle * 1000.0 - 2.0).abs() < 0.01);
+//! assert_eq!(deflection_angle(2.5), None); // falls in
+//! ```
 
 use crate::render::curved::CRITICAL;
 use std::f64::consts::PI;

@@ -1,4 +1,12 @@
 //! The shift of light's frequencies by motion and gravity.
+//!
+//! ```
+//! use raybook::render::curved::doppler::shift;
+//!
+//! let [towards, aside, away] = [2.0, 0.0, -2.0].map(|axial| shift(6.0, axial, 1e9));
+//! assert!((aside - 0.75_f64.sqrt()).abs() < 1e-6); // √(1 − 3/(2r)): slow clocks only
+//! assert!(towards > aside && aside > away);
+//! ```
 
 /// g = ν_observed/ν_emitted: the shift of the frequencies of light. The light is emitted by gas that circles the hole at the
 /// radius r > 3/2, and observed by an observer at rest at the radius `r_eye`, both in radii of the hole.

@@ -1,4 +1,15 @@
 //! All rays of one eye around a black hole, interpolated between a few that are followed.
+//!
+//! ```
+//! use glam::dvec3;
+//! use raybook::prelude::*;
+//! use raybook::render::curved::fan::Fan;
+//!
+//! let fan = Fan::new(vec3(0.0, 0.0, 20.0), std::f64::consts::PI, 0.01);
+//! assert!(fan.ray(-Dir3::Z).escapes().is_none()); // straight into the hole
+//! let past = fan.ray(Dir3::X).escapes().expect("past the hole");
+//! assert!(past.dot(dvec3(0.0, 0.0, -1.0)) > 0.0); // bent towards the hole
+//! ```
 
 use crate::math::dir3::Dir3;
 use crate::render::curved::follow::{Fate, Piece, follow};

@@ -1,4 +1,17 @@
 //! A whole ray, in steps that are as long as the tolerance allows.
+//!
+//! ```
+//! use glam::dvec3;
+//! use raybook::render::curved::{Photon, follow::{Fate, follow}};
+//! use std::ops::ControlFlow;
+//!
+//! let fate = |y| {
+//!     let photon = Photon { x: dvec3(-50.0, y, 0.0), v: dvec3(1.0, 0.0, 0.0) };
+//!     follow(photon, 1e-5, |_| ControlFlow::Continue(()))
+//! };
+//! assert_eq!(fate(2.0), Fate::Fell); // the critical impact parameter is 2.6
+//! assert!(matches!(fate(4.0), Fate::Escaped(_)));
+//! ```
 
 use crate::render::curved::{HORIZON, PHOTON_SPHERE, Photon, geodesic::geodesic_step};
 use glam::DVec3;

@@ -1,4 +1,14 @@
 //! One step along a curved light ray.
+//!
+//! ```
+//! use glam::dvec3;
+//! use raybook::render::curved::{Photon, geodesic::geodesic_step};
+//!
+//! let photon = Photon { x: dvec3(0.0, 1.5, 0.0), v: dvec3(1.0, 0.0, 0.0) };
+//! let (next, error) = geodesic_step(photon, 0.01);
+//! assert!((next.x.length() - 1.5).abs() < 1e-6); // on the photon sphere, light circles
+//! assert!(error < 1e-4);
+//! ```
 
 use crate::render::curved::Photon;
 use glam::DVec3;

@@ -1,6 +1,15 @@
 //! Curved light rays around a black hole that does not rotate (Schwarzschild 1916).
 //!
 //! The hole is at the origin. The unit of length is the radius of the hole, r_s = 2GM/c² = 1, and times are lengths too: c = 1.
+//!
+//! ```
+//! use glam::dvec3;
+//! use raybook::render::curved::{CRITICAL, Photon};
+//!
+//! // Far away, the impact parameter is the distance at which the straight ray would pass.
+//! let photon = Photon { x: dvec3(-1e6, 3.0, 0.0), v: dvec3(1.0, 0.0, 0.0) };
+//! assert!((photon.impact_parameter() - 3.0).abs() < 1e-6 && photon.impact_parameter() > CRITICAL); // it escapes
+//! ```
 
 pub mod black_hole;
 pub mod deflection;

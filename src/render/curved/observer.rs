@@ -1,4 +1,12 @@
 //! The view of an observer at rest above the hole.
+//!
+//! ```
+//! use raybook::render::curved::{PHOTON_SPHERE, observer::shadow_half_angle};
+//! use std::f64::consts::FRAC_PI_2;
+//!
+//! assert!((shadow_half_angle(PHOTON_SPHERE) - FRAC_PI_2).abs() < 1e-6); // half of the sky is black
+//! assert!((shadow_half_angle(1000.0) - 0.0026).abs() < 1e-5); // from far away, b_c/r
+//! ```
 
 use crate::render::curved::{CRITICAL, PHOTON_SPHERE, Photon};
 use glam::DVec3;

@@ -1,4 +1,17 @@
 //! Best candidate: of several random points, the one whose nearest neighbour is farthest away.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::{best_candidate::best_candidate, random_pattern::random_pattern};
+//!
+//! /// The least distance between two points.
+//! fn least(points: &[glam::Vec2]) -> f32 {
+//!     let pairs = (0..points.len()).flat_map(|i| (0..i).map(move |j| points[i].distance(points[j])));
+//!     pairs.fold(f32::INFINITY, f32::min)
+//! }
+//! let [best, random] = [best_candidate, random_pattern].map(|pattern| pattern(64, &mut pcg::stream(1, 0)));
+//! assert!(least(&best) > 2.0 * least(&random));
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::dart_throwing::largest_distance;

@@ -1,4 +1,11 @@
 //! A Poisson disk of exactly n points, by throwing darts.
+//!
+//! ```
+//! use raybook::sample::pattern::dart_throwing::largest_distance;
+//!
+//! // Four times as many points are half as far from each other.
+//! assert!((largest_distance(16) - 2.0 * largest_distance(64)).abs() < 1e-12);
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::neighbours::{Neighbours, Space};

@@ -1,4 +1,10 @@
 //! Halton's sequence.
+//!
+//! ```
+//! use raybook::sample::pattern::halton::radical_inverse;
+//!
+//! assert_eq!([1, 2, 3, 4].map(|i| radical_inverse(2, i)), [0.5, 0.25, 0.75, 0.125]);
+//! ```
 
 use crate::math::pcg::Pcg;
 use glam::{Vec2, vec2};

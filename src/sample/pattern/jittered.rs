@@ -1,4 +1,13 @@
 //! Jittered (stratified) points: a random point in each cell of a grid.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::jittered::jittered;
+//!
+//! let points = jittered(4, 4, &mut pcg::stream(1, 0));
+//! let in_cell = |p: &&glam::Vec2| p.x < 0.25 && p.y < 0.25;
+//! assert_eq!((points.len(), points.iter().filter(in_cell).count()), (16, 1));
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::rows::place;

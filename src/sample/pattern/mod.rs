@@ -1,4 +1,15 @@
 //! Sampling patterns: ways to place n points in the unit square, which is a pixel.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::{PATTERNS, find};
+//!
+//! // Every pattern places any number of points.
+//! for pattern in PATTERNS {
+//!     assert_eq!((pattern.points)(5, &mut pcg::stream(0, 0)).len(), 5);
+//! }
+//! assert_eq!(find("halton").map(|pattern| pattern.name), Some("halton"));
+//! ```
 
 pub mod best_candidate;
 pub mod dart_throwing;

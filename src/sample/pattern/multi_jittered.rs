@@ -1,4 +1,14 @@
 //! Multi-jittered points: jittered and n-rooks at once.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::multi_jittered::multi_jittered;
+//!
+//! let points = multi_jittered(3, 2, &mut pcg::stream(1, 0));
+//! let mut columns: Vec<_> = points.iter().map(|p| (6.0 * p.x) as u32).collect();
+//! columns.sort();
+//! assert_eq!(columns, [0, 1, 2, 3, 4, 5]); // each of six narrow columns has one point
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::rows::place;

@@ -1,4 +1,14 @@
 //! N-rooks: n rooks on a board of n × n squares, none of which attacks another.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::n_rooks::n_rooks;
+//!
+//! let points = n_rooks(5, &mut pcg::stream(1, 0));
+//! let mut rows: Vec<_> = points.iter().map(|p| (5.0 * p.y) as u32).collect();
+//! rows.sort();
+//! assert_eq!(rows, [0, 1, 2, 3, 4]); // no rook attacks another
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::rows::place;

@@ -1,4 +1,14 @@
 //! Sobol's points with Owen's scrambling.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::owen::sobol_owen;
+//!
+//! // The mean of x·y over the square is 1/4. 64 points find it to 1 %.
+//! let points = sobol_owen(64, &mut pcg::stream(1, 0));
+//! let mean = points.iter().map(|p| p.x * p.y).sum::<f32>() / 64.0;
+//! assert!((mean - 0.25).abs() < 0.0025);
+//! ```
 
 use crate::math::pcg::{Pcg, mix};
 use crate::sample::pattern::sobol::sobol;

@@ -1,4 +1,14 @@
 //! Poisson-disk points: random points, none too close to another, with no room left.
+//!
+//! ```
+//! use raybook::inside::Space;
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::poisson_disk::poisson_disk;
+//!
+//! let points = poisson_disk(0.2, Space::Square, &mut pcg::stream(1, 0));
+//! let apart = |i: usize| points[..i].iter().all(|q| q.distance(points[i]) > 0.1999);
+//! assert!(points.len() > 12 && (0..points.len()).all(apart));
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::dart_throwing::{fill, largest_distance};

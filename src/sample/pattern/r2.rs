@@ -1,4 +1,14 @@
 //! R₂: a low-discrepancy sequence of irrational steps.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::r2::r2;
+//!
+//! // Each step is the same on the torus: in x it is 1/ρ = 0.7549, in y 1/ρ² = 0.5698.
+//! let points = r2(3, &mut pcg::stream(1, 0));
+//! let step = (points[2] - points[1]).map(|v| v.rem_euclid(1.0));
+//! assert!(step.distance(glam::vec2(0.7549, 0.5698)) < 1e-4);
+//! ```
 
 use crate::math::pcg::Pcg;
 use crate::sample::pattern::halton::below_one;

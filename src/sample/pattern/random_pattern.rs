@@ -1,4 +1,13 @@
 //! Uniform random points.
+//!
+//! ```
+//! use raybook::math::pcg;
+//! use raybook::sample::pattern::random_pattern::random_pattern;
+//!
+//! let points = random_pattern(1000, &mut pcg::stream(1, 0));
+//! let mean = points.iter().map(|p| p.x).sum::<f32>() / 1000.0;
+//! assert!((mean - 0.5).abs() < 0.03); // a standard error of √(1/12/1000) = 0.009
+//! ```
 
 use crate::math::pcg::Pcg;
 use glam::{Vec2, vec2};

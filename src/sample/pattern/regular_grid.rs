@@ -1,4 +1,11 @@
 //! The regular grid: a point in the middle of every cell.
+//!
+//! ```
+//! use glam::vec2;
+//! use raybook::sample::pattern::regular_grid::regular_grid;
+//!
+//! assert_eq!(regular_grid(2, 1), [vec2(0.25, 0.5), vec2(0.75, 0.5)]);
+//! ```
 
 use crate::sample::pattern::rows::place;
 use glam::{Vec2, vec2};

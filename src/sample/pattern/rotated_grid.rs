@@ -1,4 +1,13 @@
 //! The rotated grid: a square lattice turned by arctan ½, so that none of its rows is parallel to an edge of the pixel.
+//!
+//! ```
+//! use raybook::sample::pattern::rotated_grid::rotated_grid;
+//!
+//! let points = rotated_grid(0.5, glam::Vec2::ZERO);
+//! let mut heights: Vec<_> = points.iter().map(|p| p.y).collect();
+//! heights.sort_by(f32::total_cmp);
+//! assert!(heights.windows(2).all(|two| two[1] - two[0] > 0.1)); // no two points are in a row
+//! ```
 
 use glam::{Vec2, vec2};
 

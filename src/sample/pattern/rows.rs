@@ -1,4 +1,12 @@
 //! Cells of equal area for any number of points, and places in them.
+//!
+//! ```
+//! use raybook::sample::pattern::rows::rows;
+//!
+//! // Seven cells of equal area: as nearly square as they can be.
+//! assert_eq!(rows(7).sum::<usize>(), 7);
+//! assert_eq!(rows(9).collect::<Vec<_>>(), [3, 3, 3]);
+//! ```
 
 use glam::{Vec2, vec2};
 

@@ -1,4 +1,12 @@
 //! Sobol's sequence in two dimensions.
+//!
+//! ```
+//! use raybook::sample::pattern::sobol::sobol;
+//!
+//! // In units of 2⁻³², the first four points are in the four quarters of the square.
+//! let quarters = [0, 1, 2, 3].map(|i| sobol(i).map(|v| v >> 31));
+//! assert!((0..4).all(|i| !quarters[..i].contains(&quarters[i])));
+//! ```
 
 // ANCHOR: sobol
 /// Point i of Sobol's sequence (1967), both coordinates in units of 2⁻³².

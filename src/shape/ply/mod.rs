@@ -1,6 +1,17 @@
 //! PLY files, as 3D scanners write them: a header that describes what follows, then vertices and faces, in text or in binary.
 //!
 //! Greg Turk, "The PLY Polygon File Format", Stanford University, 1994. This reader reports each error with its line or byte.
+//!
+//! ```
+//! use raybook::shape::ply;
+//!
+//! let text = "ply\nformat ascii 1.0\n\
+//!     element vertex 3\nproperty float x\nproperty float y\nproperty float z\n\
+//!     element face 1\nproperty list uchar int vertex_indices\nend_header\n\
+//!     0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+//! assert_eq!(ply::parse(text.as_bytes())?.triangles(), [[0, 1, 2]]);
+//! # Ok::<(), ply::PlyError>(())
+//! ```
 
 mod body;
 mod header;

@@ -155,7 +155,7 @@ impl Shape for Thing {
 pub(super) fn things() -> impl Strategy<Value = Scene<Thing>> {
     let thing = prop_oneof![
         4 => triangle().prop_map(|corners| Thing::Facet(Facet { corners, id: 0 })),
-        3 => (point(), prop_oneof![0.05_f32..1.0, Just(0.0), Just(20.0), Just(1.0)])
+        3 => (point(), prop_oneof![0.05_f32..1.0, Just(1e-9), Just(20.0), Just(1.0)])
             .prop_map(|(center, radius)| Thing::Ball(Sphere::new(center, radius))),
         3 => (lattice_point(), lattice_point()).prop_map(|(p, q)| Thing::Box(Cuboid::between(p, q))),
         1 => (point(), lattice_point())

@@ -1,6 +1,7 @@
 //! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -90,7 +91,7 @@ impl Graded for PoissonDisk {
     /// Chance brings many points nearly as close as they may be: of darts thrown for the visible cases, the closest two are 1.0003 times
     /// the distance apart, and of a thousand points none is 1.03 times it with a probability below 1e-20. And it brings as many
     /// points near to the border as anywhere else, or more.
-    fn together(answers: &[(PoissonDisk, Vec<Vec2>)]) -> Verdict {
+    fn together(answers: &[(PoissonDisk, Vec<Vec2>)], _: Bounds) -> Verdict {
         const NEAREST: f32 = 1.03;
         let same = |a: &PoissonDisk, b: &PoissonDisk| a.distance == b.distance;
         together::seeded(answers, same, |q| q.seed)?;

@@ -15,20 +15,25 @@ const ROUNDS: [usize; 4] = [1, 2, 4, 8];
 /// A question with an answer, in numbers.
 pub type Row = (Vec<f64>, Vec<f64>);
 
-/// What is said of all answers together: of the `rows` of the cases, and of further ones as long as there is doubt. `ask` makes rows of
+impl dyn Examiner + '_ {
+    /// Further questions to who answers these cases rightly. They follow from the last: with a course's key they are new.
+    pub fn further_questions(&self, cases: &[Case]) -> Vec<Vec<f64>> {
+        let last = cases.last().map_or("", |case| &case.question);
+        self.further(&mut visible_rng(last))
+    }
+}
+
+/// What is said of all answers together: of the `rows` of the cases, and of those to further questions as long as there is doubt. `ask` makes rows of
 /// questions, or says that no more are asked.
 ///
 /// # Errors
 /// Those of `ask`.
 pub fn judge_further<E>(
     examiner: &dyn Examiner,
-    cases: &[Case],
+    questions: &[Vec<f64>],
     mut rows: Vec<Row>,
     mut ask: impl FnMut(&[Vec<f64>]) -> Result<Option<Vec<Row>>, E>,
 ) -> Result<Verdict, E> {
-    // With a course's key they are new.
-    let last = cases.last().map_or("", |case| &case.question);
-    let questions = examiner.further(&mut visible_rng(last));
     let mut asked = 0;
     for eighths in ROUNDS {
         let all = questions.len() * eighths / 8;
@@ -65,13 +70,17 @@ pub fn ask_further(
         return Ok(());
     }
     let cases: Vec<_> = report.cases.iter().map(|one| one.case.clone()).collect();
+    let questions = examiner.further_questions(&cases);
+    if questions.is_empty() {
+        return Ok(());
+    }
     let answers = report.cases.iter().filter_map(|one| match &one.reply.said {
         Said::Answer(answer) => Some((one.case.question.as_str(), answer.unescaped())),
         _ => None,
     });
     let rows = examiner.rows(answers);
     let mut wrong = None;
-    let verdict = judge_further(examiner, &cases, rows, |questions| {
+    let verdict = judge_further(examiner, &questions, rows, |questions| {
         let case = |question: &Vec<f64>| examiner.case("a further question", question).ok();
         let cases: Vec<_> = questions.iter().filter_map(case).collect();
         let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
@@ -80,7 +89,7 @@ pub fn ask_further(
         for (case, reply) in cases.into_iter().zip(replies) {
             match &reply.said {
                 Said::Answer(answer) => {
-                    answers.push((case.question.clone(), answer.unescaped().to_owned()))
+                    answers.push((case.question.clone(), answer.unescaped().to_owned()));
                 }
                 // Who has used up the time has answered everything rightly before.
                 Said::Over(_) => return Ok(None),

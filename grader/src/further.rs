@@ -79,7 +79,8 @@ pub fn ask_further(
         _ => None,
     });
     let rows = examiner.rows(answers);
-    let mut wrong = None;
+    // One answer alone that is not as chance makes it may be chance; two are not.
+    let (mut wrong, mut certain) = (None, false);
     let verdict = judge_further(examiner, &questions, rows, |questions| {
         let case = |question: &Vec<f64>| examiner.case("a further question", question).ok();
         let cases: Vec<_> = questions.iter().filter_map(case).collect();
@@ -96,8 +97,12 @@ pub fn ask_further(
                 _ => {}
             }
             if let Mark::Wrong(why) = judge(examiner, &case, &reply.said) {
-                wrong = Some((case, reply, why));
-                return Ok(None);
+                let is_certain = !reply.said.is_line() || wrong.is_some();
+                wrong.get_or_insert((case, reply, why));
+                if is_certain {
+                    certain = true;
+                    return Ok(None);
+                }
             }
         }
         let lines = answers
@@ -105,7 +110,9 @@ pub fn ask_further(
             .map(|(question, answer)| (question.as_str(), answer.as_str()));
         io::Result::Ok(Some(examiner.rows(lines)))
     })?;
-    if let (Some((case, reply, why)), Some(last)) = (wrong, report.cases.last_mut()) {
+    if let (Some((case, reply, why)), Some(last)) =
+        (wrong.filter(|_| certain), report.cases.last_mut())
+    {
         let number = last.case.number;
         last.case = Case { number, ..case };
         last.reply = reply;

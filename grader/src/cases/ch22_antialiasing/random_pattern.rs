@@ -25,6 +25,9 @@ fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
 /// Fewer points than these tell little of how they are distributed.
 const ENOUGH: usize = 100;
 
+/// So many show which share of the square they leave out: a tenth is 3.16 / √n.
+const LONG: usize = 1000;
+
 impl Graded for RandomPattern {
     fn random(rng: &mut Pcg) -> RandomPattern {
         RandomPattern {
@@ -39,8 +42,13 @@ impl Graded for RandomPattern {
             few_places(got)?; // before equal points are taken for the same random numbers
         }
         judge::scattered("points", got)?;
-        points::uniform("x", got.iter().map(|p| p.x), Bounds::CHANCE)?;
-        points::uniform("y", got.iter().map(|p| p.y), Bounds::CHANCE)?;
+        let bounds = if got.len() >= LONG {
+            Bounds::LONG
+        } else {
+            Bounds::CHANCE
+        };
+        points::uniform("x", got.iter().map(|p| p.x), bounds)?;
+        points::uniform("y", got.iter().map(|p| p.y), bounds)?;
         points::independent("x and y", got.iter().copied(), Bounds::CHANCE)?;
         if got.len() < ENOUGH {
             return Ok(()); // too few to tell more

@@ -5,6 +5,7 @@ use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose, with_panics};
 use crate::examine::{Case, Examiner};
+use crate::further::ask_further;
 use crate::pairing::put_right;
 use crate::picture::ask::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
 use crate::picture::triple::Triple;
@@ -246,6 +247,7 @@ fn check_and_draw(
     let mut report = check(asker, examiner, cases.to_vec())?;
     ask_again(asker, examiner, &mut report)?;
     ask_related(asker, examiner, &mut report)?;
+    ask_further(asker, examiner, &mut report)?;
     let drawn = match pixels {
         Pixels::None => false,
         Pixels::FirstWrong if report.state() == State::Wrong => report.answers(),

@@ -21,6 +21,7 @@ pub mod explain;
 pub mod feedback;
 pub mod fingerprint;
 pub mod finite;
+pub mod further;
 pub mod golden;
 pub mod hidden;
 pub mod json;
@@ -66,6 +67,7 @@ pub mod watched;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
+use together::Bounds;
 
 /// Whether an answer is right; if not, why not, in the exercise's own words and units.
 pub type Verdict = Result<(), String>;
@@ -82,12 +84,18 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     fn judge(question: &Self, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
 
     /// Judges all answers together that are right one by one: a bias that hides in the scatter of each shows in all of them, and
-    /// so does a number of the question that no answer depends on.
+    /// so does a number of the question that no answer depends on. Of answers that are within all bounds of chance, narrower ones tell which leave doubt.
     ///
     /// # Errors
-    /// What is wrong with them; a right method meets one less than once in a million classes of 500.
-    fn together(_answers: &[(Self, Self::Answer)]) -> Verdict {
+    /// What is wrong with them; a right method meets one less than once in ten thousand classes of 500.
+    fn together(_answers: &[(Self, Self::Answer)], _bounds: Bounds) -> Verdict {
         Ok(())
+    }
+
+    /// Questions for a program that is right so far, of which more are asked as long as all answers together leave doubt. They keep
+    /// within the limits of the cases.
+    fn further(_rng: &mut Pcg) -> Vec<Self> {
+        Vec::new()
     }
 
     /// A question with this number of elements, for an exercise that builds a structure: among many, a wrong cost shows that a dozen

@@ -1,37 +1,74 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
-//! Each question here goes wrong by chance with a probability below 2e-8 at a right answer, if the answers follow from different seeds; at most
-//! ten of them are asked of a pattern, so that a class of 500 meets one less than once in ten thousand times. Estimates are not judged together: a
-//! question without a seed may be answered by the same random numbers each time, and then all of them are off to the same side.
+//! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from different seeds. At
+//! most 16 of them are asked of a pattern, with 6e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
+//! of up to three more rounds (see [`crate::further`]): 2e-8 for a pattern. The answer to a case fails alone by chance with 4e-10
+//! (`points.rs`), and one of a thousand points with 2e-8: 4e-8 in all; of further answers, two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten
+//! thousand classes. Estimates are not judged together: a question without a seed may be answered by the same random numbers each time, and
+//! then all of them are off to the same side.
 
 use crate::Verdict;
+use rand::RngExt;
+use raybook::math::pcg::Pcg;
 
 /// Standard deviations by which a sum may be off: more have a probability of 4e-10 (Gauss), as the sums are of thousands of terms.
 const DEVIATIONS: f64 = 6.25;
 
+/// How far all answers together may be off: as far as chance brings them, or a share of it.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Bounds {
+    share: f64,
+}
+
+impl Bounds {
+    /// What is beyond them is wrong.
+    pub const CHANCE: Self = Self { share: 1.0 };
+
+    /// For the distribution of a thousand points, of which one case asks: 3.1 / √n is beyond them by chance with 8e-9.
+    pub const LONG: Self = Self { share: 0.89 };
+
+    /// What is beyond them, and is not wrong, is asked more: 2.5 standard deviations. Of right programs, one in eight or so is.
+    pub const DOUBT: Self = Self { share: 0.4 };
+
+    /// That share of a bound.
+    pub fn of(self, bound: f64) -> f64 {
+        self.share * bound
+    }
+}
+
 /// Of shorter lists, one number without its mirror image would hide that the others have theirs.
 const LONG: usize = 16;
 
-/// Whether the means of lists of uniform numbers are near ½, and no nearer than chance brings them.
+/// Whether the means of lists of uniform numbers v are near ½, and no nearer than chance brings them, and that of (v − ½)² near 1/12. So
+/// that of v² = (v − ½)² + v − ¼ is near ⅓.
 ///
 /// # Errors
-/// If all of them together are too far off, or those of twenty or more long lists are nearly all too near: the sum of the squares of n standard deviations is below
+/// If all of them together are too far off, their middle or their spread, or those of twenty or more long lists are nearly all too near: the sum of the squares of n standard deviations is below
 /// n/20 with a probability of 3e-10 for n = 20, and less for more.
-pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
-    let (mut sum, mut n, mut squares, mut count) = (0.0, 0.0, 0.0, 0.0);
+pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>, bounds: Bounds) -> Verdict {
+    let (mut sum, mut spread, mut n, mut squares, mut count) = (0.0, 0.0, 0.0, 0.0, 0.0);
     for list in lists.filter(|list| !list.is_empty()) {
         let (off, len) = (list.iter().map(|v| v - 0.5).sum::<f64>(), list.len() as f64);
         sum += off;
+        spread += list.iter().map(|v| (v - 0.5).powi(2)).sum::<f64>() - len / 12.0;
         n += len;
         if list.len() >= LONG {
             squares += 12.0 * off * off / len;
             count += 1.0;
         }
     }
-    if sum.abs() > DEVIATIONS * f64::sqrt(n / 12.0) + 1.0 {
+    let deviations = bounds.of(DEVIATIONS);
+    if sum.abs() > deviations * f64::sqrt(n / 12.0) + 1.0 {
         return Err(format!(
-            "the mean of {what} is {:.3}, and should be 0.5: it is not the same everywhere",
+            "the mean of {what} is {:.4}, and should be 0.5: it is not the same everywhere",
             0.5 + sum / n
+        ));
+    }
+    // The variance of (v − ½)² is 1/80 − 1/144 = 1/180.
+    if spread.abs() > deviations * f64::sqrt(n / 180.0) + 1.0 {
+        let where_to = if spread > 0.0 { "0 and 1" } else { "0.5" };
+        return Err(format!(
+            "{what} is too often near {where_to}: it is not the same everywhere"
         ));
     }
     if count >= 20.0 && squares < count / 20.0 {
@@ -46,13 +83,13 @@ pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
 ///
 /// # Errors
 /// If they keep away from an end.
-pub fn fills(what: &str, numbers: impl Iterator<Item = f64>) -> Verdict {
+pub fn fills(what: &str, numbers: impl Iterator<Item = f64>, bounds: Bounds) -> Verdict {
     const FREE: f64 = 21.0;
     let (mut least, mut most, mut n) = (1.0_f64, 0.0_f64, 0.0);
     for v in numbers {
         (least, most, n) = (least.min(v), most.max(v), n + 1.0);
     }
-    if least.max(1.0 - most) > FREE / n {
+    if least.max(1.0 - most) > bounds.of(FREE) / n {
         return Err(format!(
             "{what} is never below {least:.4} nor above {most:.4}: it is not the same everywhere from 0 to 1"
         ));
@@ -64,7 +101,7 @@ pub fn fills(what: &str, numbers: impl Iterator<Item = f64>) -> Verdict {
 ///
 /// # Errors
 /// If their correlation is larger than chance makes it.
-pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
+pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>, bounds: Bounds) -> Verdict {
     let (mut sum, mut n) = (0.0, 0.0);
     for list in lists {
         for two in list.windows(2) {
@@ -73,13 +110,20 @@ pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>) -> Verdict {
         }
     }
     // The products have the standard deviation 1/12, and neighbours among them do not go together.
-    if sum.abs() > DEVIATIONS / 12.0 * f64::sqrt(n) + 1.0 {
+    if sum.abs() > bounds.of(DEVIATIONS) / 12.0 * f64::sqrt(n) + 1.0 {
         let how = if sum > 0.0 { "near" } else { "opposite" };
         return Err(format!(
             "{what} of one point is often {how} to that of the next: they are not independent"
         ));
     }
     Ok(())
+}
+
+/// Seeds for further questions: as they are an odd number apart, no two are the same for a generator that takes the lower 16 bits only, or 31.
+pub fn seeds(rng: &mut Pcg, count: u32) -> impl Iterator<Item = u32> {
+    const APART: u32 = 0x6a09_e667; // √2 − 1, as 32 digits of 2
+    let first: u32 = rng.random();
+    (0..count).map(move |i| first.wrapping_add(i.wrapping_mul(APART)).max(1))
 }
 
 /// Whether answers to questions of which only the seed differs do differ. `same` says of two of them whether all else is the same.

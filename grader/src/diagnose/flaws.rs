@@ -4,6 +4,7 @@ use super::evidence::{Evidence, Item};
 use super::{Beside, Diagnosis, MOST};
 use crate::Flaw;
 use crate::examine::Examiner;
+use crate::together::Bounds;
 use std::cmp::Reverse;
 
 /// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
@@ -70,7 +71,8 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     if complaints.is_empty() {
         // Each of them is right, and all of them together are not.
         let row = |item: &Item| (item.question.clone(), item.got.clone());
-        let together = examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>());
+        let together =
+            examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>(), Bounds::CHANCE);
         let why = together.err()?;
         complaints = wrong.iter().map(|item| (item.case, why.clone())).collect();
     }
@@ -89,6 +91,14 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     // A few answers may have another flaw that hides this one.
     first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
     ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
+}
+
+/// The flaw that a complaint of all answers together is about, of which these are as many.
+pub fn of_all_together(examiner: &dyn Examiner, why: &str, answers: usize) -> Option<Diagnosis> {
+    let complaints: Vec<_> = (0..answers).map(|case| (case, why.to_owned())).collect();
+    let mut flaws = examiner.flaws().iter();
+    let flaw = flaws.find(|flaw| why.contains(flaw.complaint))?;
+    Some(told(flaw, &complaints, answers))
 }
 
 /// A flaw, and how many of the complaints, each of a case, are about it.

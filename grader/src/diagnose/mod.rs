@@ -10,7 +10,7 @@ mod component;
 mod cover;
 mod evidence;
 mod fit;
-mod flaws;
+pub(crate) mod flaws;
 mod found;
 mod function;
 pub mod misread;

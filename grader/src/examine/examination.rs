@@ -3,6 +3,7 @@
 use super::Examiner;
 use crate::diagnose::misread::Limits;
 use crate::picture::triple::PictureSize;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -55,12 +56,16 @@ impl<E: Graded> Examiner for Examination<E> {
         )
     }
 
-    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)]) -> Verdict {
+    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)], bounds: Bounds) -> Verdict {
         let rows = answers.iter();
         let answers: Vec<_> = rows
             .map(|(question, got)| (from_numbers(question), from_numbers(got)))
             .collect();
-        E::together(&answers)
+        E::together(&answers, bounds)
+    }
+
+    fn further(&self, rng: &mut Pcg) -> Vec<Vec<f64>> {
+        E::further(rng).iter().map(to_numbers).collect()
     }
 
     fn relations(&self, question: &[f64]) -> Vec<(&'static str, Vec<f64>)> {

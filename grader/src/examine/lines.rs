@@ -3,6 +3,7 @@
 use super::{Examiner, visible_rng};
 use crate::finite::finite;
 use crate::picture::triple::PictureSize;
+use crate::together::Bounds;
 use crate::{Verdict, stable};
 use raybook_workbook::row::{self, RowError};
 
@@ -67,6 +68,14 @@ impl dyn Examiner + '_ {
     /// # Errors
     /// What is wrong with them.
     pub fn judge_together<'a>(&self, answers: impl Iterator<Item = (&'a str, &'a str)>) -> Verdict {
+        self.compare_together(&self.rows(answers), Bounds::CHANCE)
+    }
+
+    /// Questions and answers as numbers, of those that can be read.
+    pub(crate) fn rows<'a>(
+        &self,
+        answers: impl Iterator<Item = (&'a str, &'a str)>,
+    ) -> Vec<(Vec<f64>, Vec<f64>)> {
         let asked = self.asked();
         let read = |(question, answer)| {
             Some((
@@ -74,8 +83,7 @@ impl dyn Examiner + '_ {
                 asked.read_answer(answer).ok()?,
             ))
         };
-        let rows: Vec<_> = answers.filter_map(read).collect();
-        self.compare_together(&rows)
+        answers.filter_map(read).collect()
     }
 
     /// The mistakes' names and hints.

@@ -6,6 +6,7 @@ mod lines;
 
 use crate::diagnose::misread::Limits;
 use crate::picture::triple::PictureSize;
+use crate::together::Bounds;
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -52,7 +53,12 @@ pub trait Examiner: Sync {
     ///
     /// # Errors
     /// What is wrong with them.
-    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)]) -> Verdict;
+    fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)], bounds: Bounds) -> Verdict;
+
+    /// See [`further`](crate::Graded::further).
+    fn further(&self, _rng: &mut Pcg) -> Vec<Vec<f64>> {
+        Vec::new()
+    }
 
     /// What is done to a question by each of the [`RELATIONS`](crate::Graded::RELATIONS), and the question that it makes.
     fn relations(&self, _question: &[f64]) -> Vec<(&'static str, Vec<f64>)> {

@@ -7,6 +7,7 @@ use super::reference::Reference;
 use crate::diagnose::misread::Limits;
 use crate::examine::Examiner;
 use crate::picture::triple::PictureSize;
+use crate::together::Bounds;
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -81,7 +82,7 @@ impl Examiner for OwnExercise {
         self.reference.trouble()
     }
 
-    fn compare_together(&self, _: &[(Vec<f64>, Vec<f64>)]) -> Verdict {
+    fn compare_together(&self, _: &[(Vec<f64>, Vec<f64>)], _: Bounds) -> Verdict {
         Ok(())
     }
 

@@ -6,10 +6,15 @@ use raybook::math::pcg;
 use raybook_common::snapshot;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner};
+use raybook_grader::further::judge_further;
 use raybook_grader::hidden::Key;
+use raybook_grader::together::Bounds;
+use raybook_workbook::row;
 use rayon::prelude::*;
+use std::convert::Infallible;
 use std::f64::consts::TAU;
 use std::fmt::Write;
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The exercises whose answers are judged together.
 const EXERCISES: [&str; 4] = [
@@ -29,15 +34,49 @@ fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {
     examiner.cases(&mut key.rng(examiner.name())).cases
 }
 
-/// What is said of all answers of a program together.
+/// What is said of all answers of a program together, to the cases and to further questions as far as they are asked, and how many were.
 fn together(
     examiner: &dyn Examiner,
     cases: &[Case],
     answer: impl Fn(&Case) -> String,
-) -> Result<(), String> {
-    let answers: Vec<_> = cases.iter().map(answer).collect();
-    let pairs = cases.iter().zip(&answers);
-    examiner.judge_together(pairs.map(|(case, got)| (case.question.as_str(), got.as_str())))
+) -> (Result<(), String>, usize) {
+    let row = |case: &Case| {
+        let asked = examiner.asked();
+        let question = asked.read_question(&case.question).expect("a question");
+        (
+            question,
+            asked.read_answer(&answer(case)).expect("an answer"),
+        )
+    };
+    let rows: Vec<_> = cases.iter().map(row).collect();
+    let verdict = examiner.compare_together(&rows, Bounds::CHANCE);
+    if verdict.is_err() {
+        return (verdict, 0);
+    }
+    let mut further = 0;
+    let all = examiner.further_questions(cases);
+    if all.is_empty() {
+        return (verdict, 0);
+    }
+    let verdict = judge_further(examiner, &all, rows, |questions| {
+        further += questions.len();
+        let case = |question: &Vec<f64>| further_case(examiner, question);
+        let cases = questions.iter().map(case);
+        Ok::<_, Infallible>(Some(cases.map(|case| row(&case)).collect()))
+    });
+    let Ok(verdict) = verdict;
+    (verdict, further)
+}
+
+/// A further question with its answer.
+fn further_case(examiner: &dyn Examiner, question: &[f64]) -> Case {
+    let question = row::format(examiner.asked().question, question);
+    Case {
+        number: 0,
+        name: String::new(),
+        answers: vec![examiner.answer_line(&question).expect("an answer")],
+        question,
+    }
 }
 
 #[test]
@@ -47,16 +86,23 @@ fn programs_that_are_right_by_another_method_are_right_together() {
         let others: Vec<&Alternative> = alternatives()
             .filter(|other| other.exercise == exercise)
             .collect();
+        let (asked, programs) = (AtomicUsize::new(0), AtomicUsize::new(0));
         (0..10).into_par_iter().for_each(|student| {
             let cases = hidden(examiner, student);
-            let golden = together(examiner, &cases, |case| case.answers[0].clone());
+            let (golden, _) = together(examiner, &cases, |case| case.answers[0].clone());
             assert_eq!(golden, Ok(()), "{exercise}, the reference");
             for other in &others {
                 let answer = |case: &Case| line(&other.answer_to(&case.question), STYLES[0].1);
-                let verdict = together(examiner, &cases, answer);
+                let (verdict, further) = together(examiner, &cases, answer);
+                asked.fetch_add(further, Ordering::Relaxed);
+                programs.fetch_add(1, Ordering::Relaxed);
                 assert_eq!(verdict, Ok(()), "{exercise}, {}", other.method);
             }
         });
+        // An eighth of the questions are asked at first: 64 and 100.
+        let mean = asked.into_inner() as f64 / programs.into_inner() as f64;
+        println!("{exercise}: {mean} further questions on average");
+        assert!(mean < 200.0, "{exercise}: {mean}");
     }
 }
 
@@ -86,6 +132,42 @@ fn shrunk(q: &[f64], points: Vec<f64>, factor: f64) -> Vec<f64> {
 
 fn times(numbers: Vec<f64>, factor: f64) -> Vec<f64> {
     numbers.into_iter().map(|v| v * factor).collect()
+}
+
+/// Numbers whose power this is; along y too, or along x only.
+fn bent(mut points: Vec<f64>, power: f64, axes: usize) -> Vec<f64> {
+    let step = 3 - axes;
+    points
+        .iter_mut()
+        .step_by(step)
+        .for_each(|v| *v = v.powf(power));
+    points
+}
+
+/// The same of the places in cells.
+fn bent_in_cells(q: &[f64], mut points: Vec<f64>, power: f64) -> Vec<f64> {
+    let cells = [q[0], q[1]].into_iter().cycle();
+    for (v, cells) in points.iter_mut().zip(cells) {
+        let cell = (*v * cells).floor().min(cells - 1.0);
+        *v = (cell + (*v * cells - cell).powf(power)) / cells;
+    }
+    points
+}
+
+/// A marginal with a wave of this height in its distribution.
+fn waved(points: Vec<f64>, height: f64) -> Vec<f64> {
+    let wave = |v: f64| (v + height * (TAU * v).sin()).clamp(0.0, 1.0);
+    points.into_iter().map(wave).collect()
+}
+
+/// Points whose y follow x by this much.
+fn following(points: &[f64], much: f64) -> Vec<f64> {
+    let mut made = uniform(7, points.len()).into_iter();
+    let follow = |p: &[f64]| {
+        let follows = made.next().is_some_and(|u| u < much);
+        [p[0], if follows { p[0] } else { p[1] }]
+    };
+    points.chunks_exact(2).flat_map(follow).collect()
 }
 
 /// Points of the disc whose radius, which should be √u, is this power of u.
@@ -157,10 +239,47 @@ const BIASES: &[Bias] = &[
     Bias {
         exercise: "random_pattern",
         fault: "is of the power 1.1 along x",
-        change: |_, mut points| {
-            points.iter_mut().step_by(2).for_each(|x| *x = x.powf(1.1));
-            points
-        },
+        change: |_, points| bent(points, 1.1, 1),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is of the power 1.05 along both axes",
+        change: |_, points| bent(points, 1.05, 2),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is of the power 1.02 along both axes",
+        change: |_, points| bent(points, 1.02, 2),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is of the power 1.02 along x (mean 1 % off)",
+        change: |_, points| bent(points, 1.02, 1),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is of the power 1.01 along x (mean 0.5 % off)",
+        change: |_, points| bent(points, 1.01, 1),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "has a wave of 1 % in its marginals",
+        change: |_, points| waved(points, 0.01),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "has y = x in 5 % of the points",
+        change: |_, points| following(&points, 0.05),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "has y = x in 2 % of the points",
+        change: |_, points| following(&points, 0.02),
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "is a seventh seed's (seed mod 7)",
+        change: |q, points| uniform((q[1] % 7.0) as u64, points.len()),
     },
     Bias {
         exercise: "random_pattern",
@@ -199,6 +318,31 @@ const BIASES: &[Bias] = &[
         change: |q, points| shrunk(q, points, 0.997),
     },
     Bias {
+        exercise: "jittered",
+        fault: "jitters by the power 1.05",
+        change: |q, points| bent_in_cells(q, points, 1.05),
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "jitters by the power 1.02 (mean 1 % off)",
+        change: |q, points| bent_in_cells(q, points, 1.02),
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "is a seventh seed's (seed mod 7)",
+        change: |q, points| {
+            let places = uniform((q[2] % 7.0) as u64, points.len());
+            let axes = [q[0], q[1]].into_iter().cycle();
+            let place = |((v, u), cells): ((f64, f64), f64)| ((v * cells).floor() + u) / cells;
+            points
+                .into_iter()
+                .zip(places)
+                .zip(axes)
+                .map(place)
+                .collect()
+        },
+    },
+    Bias {
         exercise: "poisson_disk",
         fault: "is 1.1 times as large as asked",
         change: |_, points| times(points, 1.1),
@@ -207,6 +351,16 @@ const BIASES: &[Bias] = &[
         exercise: "poisson_disk",
         fault: "is 1.05 times as large as asked",
         change: |_, points| times(points, 1.05),
+    },
+    Bias {
+        exercise: "poisson_disk",
+        fault: "is 1.02 times as large as asked",
+        change: |_, points| times(points, 1.02),
+    },
+    Bias {
+        exercise: "poisson_disk",
+        fault: "leaves 1 % free at each border",
+        change: |_, points| points.into_iter().map(|v| 0.01 + 0.98 * v).collect(),
     },
 ];
 
@@ -234,7 +388,7 @@ fn small_biases_are_found_as_often_as_the_table_says() {
                 let words = std::iter::once(count).chain(&changed);
                 words.map(f64::to_string).collect::<Vec<_>>().join(" ")
             };
-            together(examiner, &cases, wrong).is_err()
+            together(examiner, &cases, wrong).0.is_err()
         });
         let found = 100 * found.count() / STUDENTS;
         writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");

@@ -1,6 +1,7 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
 use crate::examine::RANDOM_CASES;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -136,7 +137,7 @@ impl Graded for ConcentricDisk {
     ///
     /// Measured for 2,000 students and five right methods, shares within a radius are at most 0.0033 off, and shares of an arc
     /// 0.0098. A radius of u^0.51 or u^0.49 is at least 0.0068 off, an angle that ends at 0.98 of the whole turn 0.0201.
-    fn together(answers: &[(ConcentricDisk, Vec<Vec2>)]) -> Verdict {
+    fn together(answers: &[(ConcentricDisk, Vec<Vec2>)], _: Bounds) -> Verdict {
         const OUTWARDS: f32 = 0.006;
         const ROUND: f32 = 0.018;
         for (i, (one, points)) in answers.iter().enumerate() {

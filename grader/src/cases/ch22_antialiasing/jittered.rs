@@ -1,6 +1,7 @@
 //! `jittered`: random questions, judge and mistakes.
 
 use super::points;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
@@ -84,12 +85,16 @@ fn places(q: &Jittered, points: &[Vec2]) -> Vec<Vec2> {
     points.iter().map(place).collect()
 }
 
+const LEFT_TO_RIGHT: &str = "the place from left to right in a cell";
+const TOP_TO_BOTTOM: &str = "the place from top to bottom in a cell";
+const BOTH: &str = "the places along x and y in a cell";
+
 /// Whether places in cells are anywhere in them, as often as elsewhere.
 fn scattered(places: &[Vec2]) -> Verdict {
     let [x, y] = [0, 1].map(|axis| places.iter().map(move |p| p[axis]));
-    points::uniform("the place from left to right in a cell", x)?;
-    points::uniform("the place from top to bottom in a cell", y)?;
-    points::independent("the places along x and y in a cell", places.iter().copied())
+    points::uniform(LEFT_TO_RIGHT, x, Bounds::CHANCE)?;
+    points::uniform(TOP_TO_BOTTOM, y, Bounds::CHANCE)?;
+    points::independent(BOTH, places.iter().copied(), Bounds::CHANCE)
 }
 
 impl Graded for Jittered {
@@ -111,26 +116,23 @@ impl Graded for Jittered {
         scattered(&places)
     }
 
-    fn together(answers: &[(Jittered, Vec<Vec2>)]) -> Verdict {
+    fn together(answers: &[(Jittered, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         let same = |a: &Jittered, b: &Jittered| (a.columns, a.rows) == (b.columns, b.rows);
         together::seeded(answers, same, |q| q.seed)?;
         let lists: Vec<_> = answers.iter().map(|(q, got)| places(q, got)).collect();
-        scattered(&lists.concat())?;
-        let all = |axis: usize| lists.iter().flatten().map(move |p| p[axis].into());
-        together::fills("the place from left to right in a cell", all(0))?;
-        together::fills("the place from top to bottom in a cell", all(1))?;
-        let along = |axis: usize| {
-            let list = move |list: &Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
-            lists.iter().map(list)
+        let lists: Vec<_> = lists.iter().collect();
+        let names = [LEFT_TO_RIGHT, TOP_TO_BOTTOM, "one of both places in a cell"];
+        points::together(&lists, names, BOTH, bounds)
+    }
+
+    /// Within the visible cases' limit of columns and rows; they are the same, so that seeds can be compared.
+    fn further(rng: &mut Pcg) -> Vec<Jittered> {
+        let question = |seed| Jittered {
+            columns: 24,
+            rows: 24,
+            seed,
         };
-        together::serial("the place from left to right in a cell", along(0))?;
-        together::serial("the place from top to bottom in a cell", along(1))?;
-        let each = |list: &Vec<Vec2>| {
-            list.iter()
-                .flat_map(|p| p.to_array().map(f64::from))
-                .collect()
-        };
-        together::serial("one of both places in a cell", lists.iter().map(each))
+        together::seeds(rng, 800).map(question).collect()
     }
 
     fn traits(q: &Jittered, got: &Vec<Vec2>) -> Vec<f64> {

@@ -1,11 +1,12 @@
 //! What judges ask of points of the unit square.
 
+use crate::together::{self, Bounds};
 use crate::{Flaw, Verdict};
 use glam::Vec2;
 
 /// Chance makes the largest deviation of a distribution from its law larger than this over √n with a probability of
-/// 2 exp(−2·3.1²) = 9e-9 (Kolmogorov; Massart 1990).
-const DEVIATION: f32 = 3.1;
+/// 2 exp(−2·3.5²) = 5e-11 (Kolmogorov; Massart 1990).
+const DEVIATION: f64 = 3.5;
 
 /// Chance makes that deviation smaller than this over √n with a probability of √2π/0.2 · exp(−π²/(8 · 0.2²)) = 5e-13 (Kolmogorov 1933).
 const EVEN: f32 = 0.2;
@@ -65,6 +66,28 @@ pub const SERIAL: Flaw = Flaw {
     name: "chooses points that depend on the point before",
     hint: "Is a point chosen by random numbers of its own, or by those of another point?",
 };
+
+/// What is asked of pairs of independent uniform numbers of all answers together: `names` are those of the first, of the second and of
+/// either, `both` that of both.
+///
+/// # Errors
+/// If chance does not explain them.
+pub fn together(lists: &[&Vec<Vec2>], names: [&str; 3], both: &str, bounds: Bounds) -> Verdict {
+    let all = || lists.iter().copied().flatten();
+    for (axis, name) in names.into_iter().take(2).enumerate() {
+        uniform(name, all().map(|p| p[axis]), bounds)?;
+    }
+    independent(both, all().copied(), bounds)?;
+    for (axis, name) in names.into_iter().take(2).enumerate() {
+        let along = |list: &&Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
+        together::fills(name, all().map(|p| p[axis].into()), bounds)?;
+        together::balanced(name, lists.iter().map(along), bounds)?;
+        together::serial(name, lists.iter().map(along), bounds)?;
+    }
+    let each = |p: &Vec2| p.to_array().map(f64::from);
+    let each = |list: &&Vec<Vec2>| list.iter().flat_map(each).collect();
+    together::serial(names[2], lists.iter().map(each), bounds)
+}
 
 /// `expected` points, each in [0, 1)².
 ///
@@ -126,16 +149,16 @@ pub fn same_places(golden: &[Vec2], got: &[Vec2], tolerance: f32) -> Verdict {
 ///
 /// # Errors
 /// If it is larger than chance makes it; `what` is between 0 and 1, `where_from` says where it counts from.
-pub fn uniform(what: &str, numbers: impl Iterator<Item = f32>) -> Verdict {
+pub fn uniform(what: &str, numbers: impl Iterator<Item = f32>, bounds: Bounds) -> Verdict {
     let sorted = sorted(numbers);
     let n = sorted.len() as f32;
-    let bound = DEVIATION / n.sqrt();
+    let bound = bounds.of(DEVIATION) as f32 / n.sqrt();
     for (x, i) in sorted.iter().zip(0_u32..) {
         let (below, up_to) = (i as f32 / n, (i + 1) as f32 / n);
         if below - x > bound || x - up_to > bound {
             let share = 100.0 * if below > *x { below } else { up_to };
             return Err(format!(
-                "{what} is below {x:.2} for {share:.0} % of the points: it is not the same everywhere, and chance does not explain it"
+                "{what} is below {x:.3} for {share:.1} % of the points: it is not the same everywhere, and chance does not explain it"
             ));
         }
     }
@@ -168,13 +191,13 @@ fn sorted(numbers: impl Iterator<Item = f32>) -> Vec<f32> {
 /// Two numbers of each point, uniform in [0, 1), that have nothing to do with each other: their correlation.
 ///
 /// # Errors
-/// If it is larger than chance makes it: 6 standard deviations.
-pub fn independent(what: &str, pairs: impl Iterator<Item = Vec2>) -> Verdict {
+/// If it is larger than chance makes it: 6.5 standard deviations, which have a probability of 8e-11.
+pub fn independent(what: &str, pairs: impl Iterator<Item = Vec2>, bounds: Bounds) -> Verdict {
     let products: Vec<_> = pairs.map(|p| (p.x - 0.5) * (p.y - 0.5)).collect();
     let n = products.len() as f32;
     // The product's standard deviation is 1/12, and it is never more than three times that: Bernstein's bound.
     let mean = products.iter().sum::<f32>() / n.max(1.0);
-    let bound = 6.0 / 12.0 / n.sqrt() * (1.0 + 2.0 / n.sqrt());
+    let bound = bounds.of(6.5 / 12.0) as f32 / n.sqrt() * (1.0 + 2.0 / n.sqrt());
     if mean.abs() > bound {
         Err(format!(
             "{what} go together: where one is large, so is the other, or the other way round"

@@ -1,6 +1,7 @@
 //! `poisson_disk`: random questions, judge and mistakes.
 
 use super::points;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -88,10 +89,10 @@ impl Graded for PoissonDisk {
     }
 
     /// Chance brings many points nearly as close as they may be: of darts thrown for the visible cases, the closest two are 1.0003 times
-    /// the distance apart, and of a thousand points none is 1.03 times it with a probability below 1e-20. And it brings as many
-    /// points near to the border as anywhere else, or more.
-    fn together(answers: &[(PoissonDisk, Vec<Vec2>)]) -> Verdict {
-        const NEAREST: f32 = 1.03;
+    /// the distance apart, and of a thousand points none is 1.03 times it with a probability below 1e-20. So of n points, none is
+    /// 1 + 15/n times it with one of e^−23 = 1e-10. And it brings as many points near to the border as anywhere else, or more: that all
+    /// of n keep 21/n away from one of the four edges has a probability of 4 e^−21 = 3e-9.
+    fn together(answers: &[(PoissonDisk, Vec<Vec2>)], _: Bounds) -> Verdict {
         let same = |a: &PoissonDisk, b: &PoissonDisk| a.distance == b.distance;
         together::seeded(answers, same, |q| q.seed)?;
         let many: Vec<_> = answers.iter().filter(|(_, got)| got.len() >= 20).collect();
@@ -101,9 +102,9 @@ impl Graded for PoissonDisk {
         }
         let nearest = many.iter().map(|(q, got)| nearest(got) / q.distance);
         let nearest = nearest.fold(f32::INFINITY, f32::min);
-        if nearest > NEAREST {
+        if nearest > 1.0 + 15.0 / all as f32 {
             return Err(format!(
-                "no two points are nearer to each other than {nearest:.2} times the distance: more would have room"
+                "no two points are nearer to each other than {nearest:.3} times the distance: more would have room"
             ));
         }
         let (close, within) = close_pairs(&many);
@@ -112,6 +113,15 @@ impl Graded for PoissonDisk {
                 "no two points are nearer than the distance along both x and y: two points aslant of each other may be that near"
                     .to_owned(),
             );
+        }
+        let points = || many.iter().flat_map(|(_, got)| got);
+        let least = points().fold(Vec2::ONE, |least, p| least.min(*p));
+        let most = points().fold(Vec2::ZERO, |most, p| most.max(*p));
+        let free = least.max(1.0 - most).max_element();
+        if free > 21.0 / all as f32 {
+            return Err(format!(
+                "no point is within {free:.4} of one of the square's edges: may your points lie there?"
+            ));
         }
         let (mut near, mut expected) = (0, 0.0);
         for (q, got) in many {

@@ -1,6 +1,7 @@
 //! `random_pattern`: random questions, judge and mistakes.
 
 use super::points;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -24,6 +25,9 @@ fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
 /// Fewer points than these tell little of how they are distributed.
 const ENOUGH: usize = 100;
 
+/// So many show which share of the square they leave out: a tenth is 3.16 / √n.
+const LONG: usize = 1000;
+
 impl Graded for RandomPattern {
     fn random(rng: &mut Pcg) -> RandomPattern {
         RandomPattern {
@@ -38,9 +42,14 @@ impl Graded for RandomPattern {
             few_places(got)?; // before equal points are taken for the same random numbers
         }
         judge::scattered("points", got)?;
-        points::uniform("x", got.iter().map(|p| p.x))?;
-        points::uniform("y", got.iter().map(|p| p.y))?;
-        points::independent("x and y", got.iter().copied())?;
+        let bounds = if got.len() >= LONG {
+            Bounds::LONG
+        } else {
+            Bounds::CHANCE
+        };
+        points::uniform("x", got.iter().map(|p| p.x), bounds)?;
+        points::uniform("y", got.iter().map(|p| p.y), bounds)?;
+        points::independent("x and y", got.iter().copied(), Bounds::CHANCE)?;
         if got.len() < ENOUGH {
             return Ok(()); // too few to tell more
         }
@@ -49,24 +58,17 @@ impl Graded for RandomPattern {
         crowds(got)
     }
 
-    fn together(answers: &[(RandomPattern, Vec<Vec2>)]) -> Verdict {
+    fn together(answers: &[(RandomPattern, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         together::seeded(answers, |_, _| true, |q| q.seed)?;
-        let all = || answers.iter().flat_map(|(_, points)| points);
-        points::uniform("x", all().map(|p| p.x))?;
-        points::uniform("y", all().map(|p| p.y))?;
-        points::independent("x and y", all().copied())?;
-        together::fills("x", all().map(|p| p.x.into()))?;
-        together::fills("y", all().map(|p| p.y.into()))?;
-        let lists = || answers.iter().map(|(_, points)| points.iter());
-        together::balanced("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
-        together::balanced("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;
-        together::serial("x", lists().map(|list| list.map(|p| p.x.into()).collect()))?;
-        together::serial("y", lists().map(|list| list.map(|p| p.y.into()).collect()))?;
-        let each = |p: &Vec2| p.to_array().map(f64::from);
-        together::serial(
-            "a coordinate",
-            lists().map(|list| list.flat_map(each).collect()),
-        )
+        let lists: Vec<_> = answers.iter().map(|(_, points)| points).collect();
+        let names = ["x", "y", "a coordinate"];
+        points::together(&lists, names, "x and y", bounds)
+    }
+
+    /// Within the visible cases' limit of n.
+    fn further(rng: &mut Pcg) -> Vec<RandomPattern> {
+        let seeds = together::seeds(rng, 512);
+        seeds.map(|seed| RandomPattern { n: 1000, seed }).collect()
     }
 
     fn traits(q: &RandomPattern, got: &Vec<Vec2>) -> Vec<f64> {

@@ -5,7 +5,7 @@
 //!
 //! let path = std::env::temp_dir().join(format!("raybook-{}.obj", std::process::id()));
 //! let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
-//! std::fs::write(&path, format!("{corners}usemtl brick\nf 1 2 3\nusemtl roof\nf 1 3 4\n"))?;
+//! raybook::store::write(&path, format!("{corners}usemtl brick\nf 1 2 3\nusemtl roof\nf 1 3 4\n").as_bytes())?;
 //! assert_eq!(model::load(&path)?.len(), 2); // a thing for each material
 //! std::fs::remove_file(&path)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())

@@ -25,7 +25,7 @@ fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
 /// Fewer points than these tell little of how they are distributed.
 const ENOUGH: usize = 100;
 
-/// So many show which share of the square they leave out: a tenth is 3.16 / √n.
+/// As many points as show that a tenth of the square is left out: the deviation is 0.1, and may be 3.16/√n.
 const LONG: usize = 1000;
 
 impl Graded for RandomPattern {

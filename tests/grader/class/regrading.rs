@@ -18,7 +18,7 @@ fn other_hidden_cases_for_another_term_or_key() {
     assert!(asked(&course.grade(&[]).1), "another term");
     for (file, text, words) in [
         ("key", "\n", "it is empty"),
-        ("course.toml", "x = 1", "no name `x`"),
+        ("course.toml", "x = 1", "no field `x`"),
     ] {
         fs::write(course.path(file), text).expect("it is written");
         let (code, said) = course.grade(&[]);

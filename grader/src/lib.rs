@@ -92,7 +92,7 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         Ok(())
     }
 
-    /// Questions for a program that is right so far, of which more are asked as long as all answers together leave doubt. They keep
+    /// Further questions for a program that is right so far. They are asked as long as all answers together leave doubt, and keep
     /// within the limits of the cases.
     fn further(_rng: &mut Pcg) -> Vec<Self> {
         Vec::new()

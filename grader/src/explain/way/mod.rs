@@ -283,16 +283,7 @@ impl Way {
                 v.with(&value)
             }
             Slip::Other { at, of, only } if at == place => {
-                let mut value = v.numbers();
-                let others = self.last(of, value.len());
-                self.looks_ahead |= others.is_none();
-                let others = others.into_iter().flatten();
-                for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
-                    if only.is_none_or(|only| only == i) {
-                        *v = other;
-                    }
-                }
-                v.with(&value)
+                self.mixed(v, of, only, |_, other| other)
             }
             Slip::Earlier(at, from) if at == place => {
                 let round = self.before.len();
@@ -311,19 +302,30 @@ impl Way {
                 v.with(&each.collect::<Vec<_>>())
             }
             Slip::Mix { at, of, how, only } if at == place => {
-                let mut value = v.numbers();
-                let others = self.last(of, value.len());
-                self.looks_ahead |= others.is_none();
-                let others = others.into_iter().flatten();
-                for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
-                    if only.is_none_or(|only| only == i) {
-                        *v = how.of(*v, other);
-                    }
-                }
-                v.with(&value)
+                self.mixed(v, of, only, |v, other| how.of(v, other))
             }
             _ => v,
         }
+    }
+
+    /// A value, all of whose numbers, or one only, are mixed with those of another step.
+    fn mixed<V: Value>(
+        &mut self,
+        v: V,
+        of: Place,
+        only: Option<usize>,
+        mix: impl Fn(f64, f64) -> f64,
+    ) -> V {
+        let mut value = v.numbers();
+        let others = self.last(of, value.len());
+        self.looks_ahead |= others.is_none();
+        let others = others.into_iter().flatten();
+        for (i, (v, other)) in value.iter_mut().zip(others).enumerate() {
+            if only.is_none_or(|only| only == i) {
+                *v = mix(*v, other);
+            }
+        }
+        v.with(&value)
     }
 
     #[track_caller]

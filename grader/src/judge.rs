@@ -161,9 +161,15 @@ pub fn nearest(golden: Option<&MeshHitAnswer>, got: Option<&MeshHitAnswer>) -> V
 /// # Errors
 /// If they are.
 pub fn scattered(what: &str, points: &[Vec2]) -> Verdict {
-    let same = |p: &Vec2, other: &Vec2| (*p - *other).abs().max_element() < 1e-5;
-    let used = |(i, p): &(usize, &Vec2)| points[..*i].iter().any(|other| same(p, other));
-    let again = points.iter().enumerate().filter(used).count();
+    let mut sorted = points.to_vec();
+    sorted.sort_by(|p, other| p.x.total_cmp(&other.x));
+    let used = |i: &usize| {
+        let p = sorted[*i];
+        let before = sorted[..*i].iter().rev();
+        let mut near = before.take_while(|other| p.x - other.x < 1e-5);
+        near.any(|other| (p.y - other.y).abs() < 1e-5)
+    };
+    let again = (0..sorted.len()).filter(used).count();
     if 10 * again > points.len() {
         return Err(format!(
             "of the {} {what}, {again} are the same as others: each is to be chosen by itself",

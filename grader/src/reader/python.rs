@@ -13,29 +13,36 @@ class Words:
     """The words of a line, one after the other."""
 
     def __init__(self, line: str) -> None:
-        self.rest = line.split()
+        self.rest = line.split()[::-1]  # the next is the last: it is taken away in no time
 
     def word(self) -> str:
         if not self.rest:
             raise ValueError("the line ends too early")
-        return self.rest.pop(0)
+        return self.rest.pop()
 
     def number(self) -> float:
         return float(self.word())  # also inf and nan
+
+    def numbers(self, count: int) -> List[float]:
+        words = self.rest[: -count - 1 : -1]
+        del self.rest[-count:]
+        if len(words) < count:
+            raise ValueError("the line ends too early")
+        return [*map(float, words)]
 
     def whole(self) -> int:
         return int(self.word())
 
     def direction(self, vector: Callable[[float, float, float], T]) -> T:
         """A vector of length 1, from one of any length."""
-        x, y, z = self.number(), self.number(), self.number()
+        x, y, z = self.numbers(3)
         length = math.sqrt(x * x + y * y + z * z)
         if not 0 < length < math.inf:
             raise ValueError(f"{x} {y} {z} is no direction")
         return vector(x / length, y / length, z / length)
 
     def optional(self, read: Callable[[], T]) -> Optional[T]:
-        if self.rest and self.rest[0].lower() == "none":
+        if self.rest and self.rest[-1].lower() == "none":
             self.word()
             return None
         return read()
@@ -51,7 +58,7 @@ class Words:
 
     def end(self) -> None:
         if self.rest:
-            raise ValueError(f"`{self.rest[0]}` is one word too many")
+            raise ValueError(f"`{self.rest[-1]}` is one word too many")
 
 
 def words_of(value: Any, declared: str, types: Mapping[str, Any]) -> str:
@@ -141,8 +148,8 @@ pub(crate) fn class(found: Type) -> String {
         Type::Numbers(_, parts) => {
             for part in parts {
                 let _ = writeln!(text, "    {}: float", safe(part));
-                reads.push(read(&Kind::Number, "words"));
             }
+            reads.push(format!("*words.numbers({})", parts.len()));
         }
         Type::Record(record) => {
             for field in record.fields {

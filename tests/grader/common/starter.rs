@@ -2,7 +2,7 @@
 
 use super::executable;
 use raybook_grader::converse::Program;
-use raybook_grader::starter::files;
+use raybook_grader::starter::{StarterFile, files};
 use raybook_workbook::anchor::Anchored;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -25,13 +25,25 @@ pub struct Written {
 
 /// Writes a starter whose anchored functions are rewritten so.
 ///
-/// The folder is always the same, and a file that stays the same is not written, so that the compiler goes on from the build
-/// before: seconds instead of a minute.
+/// The folder is always the same.
 pub fn write(rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) -> Written {
     // Another test's failure says nothing about the folder.
     let alone = FOLDER.lock().unwrap_or_else(PoisonError::into_inner);
     let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("my-rays");
-    for (path, bytes) in files(rewrite).expect("the library's anchors are right") {
+    lay(
+        &folder,
+        files(rewrite).expect("the library's anchors are right"),
+    );
+    Written {
+        folder,
+        _alone: alone,
+    }
+}
+
+/// Lays a starter's files into a folder. One that stays the same is not written, so that the compiler goes on from the build before:
+/// seconds instead of a minute.
+pub fn lay(folder: &Path, files: Vec<StarterFile>) {
+    for (path, bytes) in files {
         let path = folder.join(path);
         if fs::read(&path).is_ok_and(|there| there == bytes) {
             continue;
@@ -39,10 +51,6 @@ pub fn write(rewrite: &dyn Fn(&Anchored<'_>) -> Option<String>) -> Written {
         fs::create_dir_all(path.parent().expect("a file is in a folder"))
             .expect("the folder can be made");
         fs::write(path, bytes).expect("the file can be written");
-    }
-    Written {
-        folder,
-        _alone: alone,
     }
 }
 

@@ -48,26 +48,26 @@ def reflected_radiance(
     radiance: Rgb,
     samples: int,
 ) -> Rgb:
-    """Half of the directions by the cosine, half around the mirrored viewer, each weighted by both densities."""
+    """Half of the directions by the cosine, half around the mirrored viewer, each weighted by both densities. Of a direction only
+    its cosines with the normal, the mirrored viewer and the zenith count."""
     rng = random.Random(samples)
     mirrored = 2 * normal.dot(view) * normal - view
-    x, y = axes(mirrored)
-    total = Rgb(0.0, 0.0, 0.0)
+    lobes = [
+        (power, [[axis.dot(to) for axis in (*axes(pole), pole)] for to in (normal, mirrored, zenith)])
+        for power, pole in ((1, normal), (exponent, mirrored))
+    ]
+    matte = shine = 0.0
     for i in range(samples):
-        u, v = rng.random(), rng.random()
-        if i % 2 == 0:
-            toward = by_cosine(normal, u, v)
-        else:
-            z = u ** (1 / (exponent + 1))
-            r = math.sqrt(max(1 - z * z, 0.0))
-            phi = math.tau * v
-            toward = r * math.cos(phi) * x + r * math.sin(phi) * y + z * mirrored
-        cosine = normal.dot(toward)
+        power, frame = lobes[i % 2]
+        z = rng.random() ** (1 / (power + 1))
+        r, phi = math.sqrt(1 - z * z), math.tau * rng.random()
+        x, y = r * math.cos(phi), r * math.sin(phi)
+        cosine, gleam, up = [a * x + b * y + c * z for a, b, c in frame]
         if cosine <= 0:
             continue
-        lobe = (exponent + 1) / math.tau * max(mirrored.dot(toward), 0.0) ** exponent
-        density = 0.5 * cosine / math.pi + 0.5 * lobe
-        sky = radiance * (0.5 + 0.5 * toward.dot(zenith))
-        f = brdf_phong(normal, view, toward, diffuse, specular, exponent)
-        total = total + f * sky * (cosine / density / samples)
-    return total
+        highlight = max(gleam, 0.0) ** exponent
+        density = 0.5 * cosine / math.pi + 0.5 * (exponent + 1) / math.tau * highlight
+        light = (0.5 + 0.5 * up) * cosine / density / samples
+        matte += light
+        shine += light * highlight
+    return radiance * (matte / math.pi * diffuse + shine * (exponent + 2) / math.tau * specular)

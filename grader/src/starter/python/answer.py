@@ -3,6 +3,7 @@
 `raybook check` asks it, and so can you:   echo 'ray_at 0 0 0  1 0 0  2.5' | python3 answer.py
 """
 
+import functools
 import importlib
 import itertools
 import os
@@ -27,9 +28,16 @@ def name_of(line: str) -> str:
     return line.strip().partition(" ")[0]
 
 
+@functools.lru_cache(maxsize=None)
 def types_of(name: str) -> Any:
     """The module that says what a function is given and returns."""
     return importlib.import_module(CHAPTERS[name][1])
+
+
+@functools.lru_cache(maxsize=None)
+def chapter_of(name: str) -> Any:
+    """Your file with a function. It is loaded when it is asked for: an error in one leaves the others be."""
+    return importlib.import_module(CHAPTERS[name][0])
 
 
 def arguments_of(line: str) -> Tuple[Any, ...]:
@@ -81,9 +89,8 @@ def say_where(_signal: int, frame: Any) -> None:
 
 
 def called(name: str, arguments: Tuple[Any, ...]) -> str:
-    """What a function returns, in words. A chapter is loaded when it is asked for: an error in one leaves the others be."""
-    function = getattr(importlib.import_module(CHAPTERS[name][0]), name)
-    return told(name, function(*arguments))
+    """What a function returns, in words."""
+    return told(name, getattr(chapter_of(name), name)(*arguments))
 
 
 def answer(line: str) -> str:
@@ -101,8 +108,8 @@ def answers(name: str, lines: List[str]) -> Iterator[str]:
     if name not in CHAPTERS:
         return (f"error there is no exercise `{name}`" for _ in lines)
     try:
-        function = getattr(importlib.import_module(CHAPTERS[name][0]), f"{name}_batch", None)
-        questions = [arguments_of(line) for line in lines]
+        function = getattr(chapter_of(name), f"{name}_batch", None)
+        questions = [arguments_of(line) for line in lines] if function else []
     except Exception:
         function, questions = None, []  # Each question says by itself what is wrong.
     if function is None:

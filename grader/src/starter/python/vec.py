@@ -55,7 +55,7 @@ class Vec2:
 
     @staticmethod
     def read(words: Words) -> Vec2:
-        return Vec2(words.number(), words.number())
+        return Vec2(*words.numbers(2))
 
 
 @dataclass
@@ -120,7 +120,7 @@ class Vec3:
 
     @staticmethod
     def read(words: Words) -> Vec3:
-        return Vec3(words.number(), words.number(), words.number())
+        return Vec3(*words.numbers(3))
 
 
 @dataclass
@@ -170,7 +170,7 @@ class Rgb:
 
     @staticmethod
     def read(words: Words) -> Rgb:
-        return Rgb(words.number(), words.number(), words.number())
+        return Rgb(*words.numbers(3))
 
 
 @dataclass
@@ -182,7 +182,7 @@ class Interval:
 
     @staticmethod
     def read(words: Words) -> Interval:
-        return Interval(words.number(), words.number())
+        return Interval(*words.numbers(2))
 
 
 @dataclass

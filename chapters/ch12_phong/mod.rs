@@ -12,7 +12,8 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
-use glam::{Mat3, Vec3, vec3};
+use glam::{Mat3, Vec2, Vec3, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::material::blinn_phong::BlinnPhong;
@@ -101,7 +102,7 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
         arrives: NO_SHADOWS,
     };
     film.refine(|place, rng| {
-        let ray = camera.ray_through(place);
+        let ray = camera.ray(place, Vec2::ZERO);
         let radiance = match scene.closest(&ray) {
             Some(seen) => local.follow(scene, &seen, -ray.direction, rng).radiance,
             None => (scene.backdrop)(&ray),

@@ -12,6 +12,8 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
+use glam::Vec2;
+use raybook::camera::Camera;
 use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
@@ -143,7 +145,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 /// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the radiance of the path is exposed.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
     film.evenly(|place, numbers| {
-        let ray = view.camera.ray_through(place);
+        let ray = view.camera.ray(place, Vec2::ZERO);
         path.radiance(&view.scene, &ray, numbers) * view.exposure
     })
 }

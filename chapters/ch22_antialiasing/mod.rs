@@ -20,7 +20,8 @@ use crate::lab::sheets;
 use crate::lab::subject::Subject;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
 use raybook::render::local::Local;
@@ -82,7 +83,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
     let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
+    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray(place, Vec2::ZERO), rng);
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     if stage.wants("picture") {

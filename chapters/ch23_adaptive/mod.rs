@@ -9,7 +9,8 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::lab::adaptive_gain::{map, measure, outcome, spent};
 use crate::lab::plot::Plot as _;
 use clap::Args;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
@@ -54,7 +55,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
     let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
+    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray(place, Vec2::ZERO), rng);
     let limits = Limits {
         first: knobs.first,
         most: (4 * film.samples.max(2)).max(knobs.first),

@@ -82,6 +82,9 @@ impl Film<'_> {
         let cone = Cone::of_sample(camera, self);
         // A pin-hole camera needs no numbers for a lens: making them would cost time.
         let see = |place: Vec2, numbers: &mut dyn Rng| {
+            if !camera.sees(place) {
+                return Followed::default();
+            }
             let lens = if camera.has_lens() {
                 vec2(numbers.random(), numbers.random())
             } else {

@@ -7,8 +7,9 @@ mod panorama;
 mod round_trip;
 mod scene;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
@@ -57,5 +58,5 @@ fn film(width: usize, height: usize) -> Film<'static> {
 fn panorama(scene: &Scene, from: Vec3, width: usize) -> Image {
     let pose = Pose::level(from);
     let camera = Panorama { pose };
-    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray_through(place)))
+    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray(place, Vec2::ZERO)))
 }

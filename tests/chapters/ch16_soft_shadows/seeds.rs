@@ -1,7 +1,8 @@
 //! The renderer with lights that have an extent, against itself with other random numbers, and with another choice of them.
 
 use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{
@@ -51,7 +52,7 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
             threads: 2,
             progress: SILENT,
         };
-        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng))
+        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng))
     };
     let batches: Vec<Image> = (first_seed..).take(BATCHES).map(batch).collect();
     Noisy::of(&batches.iter().collect::<Vec<_>>())

@@ -15,12 +15,7 @@ use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg;
 use raybook::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
-use raybook::render::{
-    film::{Film, SILENT},
-    local::Local,
-    shadow,
-    whitted::Whitted,
-};
+use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
 use raybook::scene::world::Scene;
 
 /// A direction, uniform on the sphere: a point in the ball, as long as it takes to find one.
@@ -45,12 +40,9 @@ fn seen(scene: &Scene, ray: &Ray) -> Rgb {
 /// One ray through the middle of each pixel.
 fn film(width: usize, height: usize) -> Film<'static> {
     Film {
-        width,
-        height,
-        samples: 1,
         seed: 1,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(width, height, 1)
     }
 }
 

@@ -6,11 +6,7 @@ use raybook::camera::Camera;
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::pcg;
-use raybook::render::{
-    film::{Film, SILENT},
-    mis::Strategy,
-    path::Path,
-};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::sample::pattern::jittered::jittered;
 use raybook::scene::cornell;
 use raybook_common::noisy::{BATCHES, Noisy};
@@ -36,12 +32,9 @@ fn render(path: Path, seed: u64) -> Image {
     let (eye, zoom) = (cornell::EYE, cornell::ZOOM * PLANE_HEIGHT);
     let camera = Pinhole::look_at(eye, eye + Vec3::Z, Vec3::Y, zoom, 1.0).expect("a camera");
     let film = Film {
-        width: SIZE,
-        height: SIZE,
-        samples: SAMPLES,
         seed,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(SIZE, SIZE, SAMPLES)
     };
     // Jittered samples, whose noise is nearly normal, as the bounds suppose: the film's own, which are spread more evenly, take
     // only a few values where an edge runs through a pixel.

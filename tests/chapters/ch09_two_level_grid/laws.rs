@@ -8,7 +8,7 @@ use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::accel::{Accel, Tests, grid::Grid, list::List};
 use raybook::camera::Camera;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::scene::{soup::soup, stadium::stadium};
 use raybook_chapters::ch09_two_level_grid::{
     teapot_in_stadium::camera, teapot_in_stadium::two_levels,
@@ -21,12 +21,8 @@ use raybook_chapters::shared::{law::Reach, law::mean_tests};
 fn the_teapot_in_the_stadium_costs_a_fraction_of_what_it_costs_in_a_grid() {
     let stadium = stadium(4);
     let film = Film {
-        width: 48,
-        height: 30,
-        samples: 1,
-        seed: 0,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(48, 30, 1)
     };
     let camera = camera(film.aspect()).expect("it looks at the teapot");
     let cost = |tests: Tests| tests.boxes + tests.shapes;

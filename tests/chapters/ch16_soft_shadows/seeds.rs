@@ -9,11 +9,7 @@ use raybook::light::{
     Light, extent::LightSampling, rect_light::RectLight, sphere_light::SphereLight,
 };
 use raybook::render::local::{Local, Visibility};
-use raybook::render::{
-    film::{Film, SILENT},
-    shadow,
-    whitted::Whitted,
-};
+use raybook::render::{film::Film, shadow, whitted::Whitted};
 use raybook::shape::sphere::Sphere;
 use raybook_chapters::ch16_soft_shadows::posts;
 
@@ -45,12 +41,9 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
     let whitted = Whitted { local, depth: 1 };
     let batch = |seed: u64| {
         let film = Film {
-            width: 48,
-            height: 30,
-            samples: 4,
             seed,
             threads: 2,
-            progress: SILENT,
+            ..Film::new(48, 30, 4)
         };
         film.sample(|place, rng| whitted.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng))
     };

@@ -8,11 +8,7 @@ use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::{
-    film::{Film, SILENT},
-    mis::Strategy,
-    path::Path,
-};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
@@ -112,12 +108,9 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
     let path = path(Strategy::Both);
     let ray = |at| camera.ray(at, Vec2::ZERO);
     let film = |seed, samples| Film {
-        width: 24,
-        height: 15,
-        samples,
         seed,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(24, 15, samples)
     };
     for samples in [1, 32] {
         let (mut by_chance, mut evenly) = (vec![], vec![]);

@@ -57,6 +57,7 @@
 //! | Bézier patches and the teapot | `shape/bezier.rs` `shape/teapot.rs` |
 //! | sampling patterns of a pixel | `sample/pattern/mod.rs` |
 //! | filters | `sample/filter.rs` |
+//! | the random numbers of a sample, pair by pair: Sobol's, or those of a pattern | `sample/even.rs` `sample/padded.rs` |
 //! | sampling a disc, a polygon, a hemisphere | `sample/disk.rs` `sample/polygon.rs` `sample/hemisphere.rs` |
 //! | what an accelerator must answer; counting its work | `accel/mod.rs` |
 //! | linear search | `accel/list.rs` |

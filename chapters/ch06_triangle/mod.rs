@@ -13,8 +13,9 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
-use glam::{Mat3, Vec3, vec3};
+use glam::{Mat3, Vec2, Vec3, vec3};
 use looks::Look;
+use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -128,7 +129,7 @@ fn photograph(film: &Film, look: Look, turn: f32) -> Result<Image, LookAtError> 
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let sun = Dir3::new_or(vec3(-1.0, 1.2, 0.45), Dir3::Y);
     Ok(film.refine(|place, _| {
-        let ray = camera.ray_through(place);
+        let ray = camera.ray(place, Vec2::ZERO);
         if let Some((triangle, hit)) = nearest(&solids, &ray) {
             let at = triangle.surface(&ray, &hit);
             return look(&ray, &hit, &at) * (0.7 + 0.3 * at.normal.dot(*sun).abs());

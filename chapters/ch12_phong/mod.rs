@@ -17,8 +17,8 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::material::blinn_phong::BlinnPhong;
 use raybook::render::film::Film;
-use raybook::render::followed::Followed;
 use raybook::render::local::{Local, NO_SHADOWS};
+use raybook::render::sampler::Sampler;
 use raybook::scene::world::Scene;
 use std::process::ExitCode;
 
@@ -100,14 +100,7 @@ fn photograph(film: &Film, camera: &Pinhole, scene: &Scene) -> Image {
         samples: 1,
         arrives: NO_SHADOWS,
     };
-    film.refine(|place, rng| {
-        let ray = camera.ray_through(place);
-        let radiance = match scene.closest(&ray) {
-            Some(seen) => local.follow(scene, &seen, -ray.direction, rng).radiance,
-            None => (scene.backdrop)(&ray),
-        };
-        Followed { radiance, rays: 1 } // to the surface; none to the lights
-    })
+    film.render(camera, &Sampler::Refined, &local, scene)
 }
 
 /// The chapter's binary.

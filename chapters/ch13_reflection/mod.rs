@@ -11,6 +11,7 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{ray_tree, ray_tree_figure};
 use clap::Args;
 use glam::{Vec2, Vec3, vec2};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
@@ -62,7 +63,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let [from, to] = marbles::FROM_ABOVE;
         let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
         let view = photograph(&film, &above, &scene, depth);
-        let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.ray_through(PIXEL));
+        let tree = ray_tree::grow(
+            &whitted(depth.min(5)),
+            &scene,
+            &camera.ray(PIXEL, Vec2::ZERO),
+        );
         let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the \
             colour that its ray sees; the numbers stand for the surfaces that the rays meet.";
         stage.figure(

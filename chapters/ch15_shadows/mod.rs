@@ -12,6 +12,7 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::shared::{ray_tree, ray_tree_figure};
 use clap::Args;
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
 use raybook::render::film::Film;
@@ -104,7 +105,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tree = ray_tree::grow(
         &whitted(shadow::lit as _),
         &scene,
-        &camera.ray_through(PIXEL),
+        &camera.ray(PIXEL, Vec2::ZERO),
     );
     let caption = "The tree of chapter 13 again: now each ray to a light looks for obstacles, and an obstacle makes a shadow (purple).";
     stage.figure(

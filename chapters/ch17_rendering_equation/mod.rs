@@ -16,6 +16,7 @@ use raybook::image::Image;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
+use raybook::render::sampler::Sampler;
 use std::cell::LazyCell;
 use std::process::ExitCode;
 use strategies::View;
@@ -140,12 +141,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("error", caption, &path_error::plot(&tile)?)
 }
 
-/// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the radiance of the path is exposed.
+/// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the mean radiance is exposed.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
-    film.evenly(|place, numbers| {
-        let ray = view.camera.ray_through(place);
-        path.radiance(&view.scene, &ray, numbers) * view.exposure
-    })
+    let radiance = film.render(&view.camera, &Sampler::Even, &path, &view.scene);
+    radiance.map(|v| v * view.exposure)
 }
 
 /// The same picture, denoised by a filter that knows what the camera sees.

@@ -6,10 +6,12 @@ use glam::{Vec3, vec3};
 use raybook::camera::aperture::Aperture;
 use raybook::camera::pinhole::Pinhole;
 use raybook::camera::thin_lens::ThinLens;
-use raybook::image::Image;
+use raybook::image::{Image, rgb::Rgb};
 use raybook::render::film::Film;
 use raybook::render::glints::add_glints;
-use raybook::render::through_lens::through_lens;
+use raybook::render::path::Path;
+use raybook::render::sampler::Sampler;
+use raybook::scene::world::Scene;
 use std::error::Error;
 
 /// Where the lamps hang.
@@ -33,6 +35,7 @@ pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
     for lamp in &mut lamps {
         lamp.intensity = lamp.intensity * BRIGHTER;
     }
+    let evening = Scene::new(vec![], vec![]).surrounded_by(Rgb::BLACK, dusk);
     let mut tiles = Vec::new();
     for (name, aperture) in [
         ("round", Aperture::Round),
@@ -41,8 +44,9 @@ pub(super) fn draw(film: &Film) -> Result<Image, Box<dyn Error>> {
         ("8 blades", blades(8, 0.2)),
     ] {
         let camera = ThinLens::new(&body, f_number, focus, aperture)?;
-        let mut picture =
-            film.denoised(&[], |film| through_lens(film, &camera, |ray, _| dusk(ray)));
+        let mut picture = film.denoised(&[], |film| {
+            film.render(&camera, &Sampler::Even, &Path::WHOLE, &evening)
+        });
         add_glints(&mut picture, film, &camera, &lamps, |_, _| true);
         tiles.push((name, picture));
     }

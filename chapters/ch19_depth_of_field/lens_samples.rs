@@ -11,7 +11,7 @@ use raybook::camera::pinhole::Pinhole;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::Image;
 use raybook::render::film::Film;
-use raybook::render::through_lens::through_lens;
+use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
 use std::error::Error;
@@ -34,9 +34,7 @@ pub(super) fn draw(tile: &Film, scene: &Scene, whitted: &Whitted) -> Result<Imag
             whitted.follow(scene, &ray, rng)
         })
     };
-    let spread = through_lens(&film(4), &camera, |ray, numbers| {
-        whitted.follow(scene, ray, numbers)
-    });
+    let spread = film(4).render(&camera, &Sampler::Even, whitted, scene);
     let tiles = [
         ("4 samples", by_chance(4)),
         ("64 samples", by_chance(64)),

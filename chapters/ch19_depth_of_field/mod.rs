@@ -2,7 +2,7 @@
 //! farther becomes a blurred disc; a formula tells its size.
 //!
 //! New: shape/instance.rs sample/disk.rs sample/polygon.rs camera/aperture.rs camera/lens.rs camera/thin_lens.rs
-//! New: render/through_lens.rs render/glints.rs
+//! New: render/glints.rs
 
 mod blur_plot;
 mod bokeh;
@@ -22,8 +22,8 @@ use raybook::math::interval::Interval;
 use raybook::render::film::Film;
 use raybook::render::glints::add_glints;
 use raybook::render::local::Local;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
-use raybook::render::through_lens::through_lens;
 use raybook::render::whitted::Whitted;
 use std::process::ExitCode;
 use tea_table::{ALONG, EYE, FAR, FOCAL_LENGTH, NARROW_VIEW, POTS, VIEW, lamps, tea_table};
@@ -66,9 +66,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let open = |ray: &_, distance| !scene.blocks(ray, Interval::new(0.0, distance));
     let photograph = |film: &Film, camera: &ThinLens| {
         let mut picture = film.denoised(&[], |film| {
-            through_lens(film, camera, |ray, numbers| {
-                whitted.follow(&scene, ray, numbers)
-            })
+            film.render(camera, &Sampler::Even, &whitted, &scene)
         });
         add_glints(&mut picture, film, camera, &lamps, open);
         picture

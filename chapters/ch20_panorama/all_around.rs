@@ -3,16 +3,13 @@
 use super::graticule;
 use crate::kit::sheet::sheet;
 use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::camera::pose::Pose;
 use raybook::image::Image;
-use raybook::math::ray::Ray;
 use raybook::render::film::Film;
 use std::error::Error;
-
-/// The ray of each place of a film; `None` where no light falls on the film.
-pub(super) type Rays<'a> = &'a (dyn Fn(Vec2) -> Option<Ray> + Sync);
 
 /// A pin-hole camera of this horizontal field of view, in degrees.
 ///
@@ -39,13 +36,12 @@ pub(super) fn wide(
 pub(super) fn pinholes(
     film: &Film,
     from: Vec3,
-    photograph: impl Fn(&Film, Rays) -> Image,
+    photograph: impl Fn(&Film, &dyn Camera) -> Image,
 ) -> Result<Image, Box<dyn Error>> {
     let mut tiles = Vec::new();
     for (name, degrees) in [("60° across", 60.0), ("100°", 100.0), ("150°", 150.0)] {
         let camera = wide(from, Vec3::NEG_Z, degrees, film.aspect())?;
-        let rays = |place| Some(camera.ray_through(place));
-        tiles.push((name, marked(&photograph(film, &rays), &rays)));
+        tiles.push((name, marked(&photograph(film, &camera), &camera)));
     }
     sheet(3, &tiles)
 }
@@ -57,7 +53,7 @@ pub(super) fn pinholes(
 pub(super) fn fisheyes(
     film: &Film,
     from: Vec3,
-    photograph: impl Fn(&Film, Rays) -> Image,
+    photograph: impl Fn(&Film, &dyn Camera) -> Image,
 ) -> Result<Image, Box<dyn Error>> {
     let (ahead, down, up) = (Vec3::NEG_Z, Vec3::NEG_Y, Vec3::Y);
     let views = [
@@ -95,12 +91,14 @@ pub(super) fn fisheyes(
         };
         let stand = Pinhole::look_at(from, from + toward, above, 1.0, 1.0)?;
         let camera = Fisheye::new(Pose::from(stand), projection, view, film.aspect())?;
-        let rays = |place| camera.ray_through(place);
-        tiles.push((name, marked(&photograph(film, &rays), &rays)));
+        tiles.push((name, marked(&photograph(film, &camera), &camera)));
     }
     sheet(4, &tiles)
 }
 
-fn marked(picture: &Image, rays: Rays) -> Image {
-    graticule::over(picture, |place| rays(place).map(|ray| ray.direction))
+fn marked(picture: &Image, camera: &dyn Camera) -> Image {
+    let direction = |place| camera.ray(place, Vec2::ZERO).direction;
+    graticule::over(picture, |place| {
+        camera.sees(place).then(|| direction(place))
+    })
 }

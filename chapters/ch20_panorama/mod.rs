@@ -13,19 +13,20 @@ pub mod summer;
 
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
-use all_around::{Rays, fisheyes, pinholes};
+use all_around::{fisheyes, pinholes};
 use clap::Args;
 use panorama_as_environment::{lit, looks};
 use panorama_map::{labelled, with_lines};
 use pavilion::{BEAMS, EYE};
+use raybook::camera::Camera;
 use raybook::camera::fisheye::Fisheye;
 use raybook::camera::panorama::Panorama;
 use raybook::camera::pose::Pose;
 use raybook::image::Image;
-use raybook::image::rgb::Rgb;
 use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::scene::world::Scene;
@@ -57,7 +58,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if let Some(projections::Named(projection)) = knobs.projection {
         let film = stage.film_of(720, 9, 1.0);
         let camera = Fisheye::new(pose, projection, knobs.view, film.aspect())?;
-        let picture = photograph(&scene, &film, &|place| camera.ray_through(place));
+        let picture = photograph(&scene, &film, &camera);
         let caption = format!(
             "A picture by a fisheye that sees {}° from rim to rim.",
             knobs.view
@@ -65,9 +66,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return stage.picture("picture", &caption, &picture);
     }
     let camera = Panorama { pose };
-    let take = |film: &Film, rays: Rays| photograph(&scene, film, rays);
+    let take = |film: &Film, camera: &dyn Camera| photograph(&scene, film, camera);
     let film = stage.film_of(960, 9, 2.0);
-    let picture = LazyCell::new(|| take(&film, &|place| Some(camera.ray_through(place))));
+    let picture = LazyCell::new(|| take(&film, &camera));
     if stage.wants("picture") {
         let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
         stage.picture("picture", caption, &picture)?;
@@ -113,16 +114,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.figure("light", caption, &lit(&tile, &around)?)
 }
 
-/// What is seen of a scene along the rays of a camera; where the camera has no ray, the film stays black.
-fn photograph(scene: &Scene, film: &Film, rays: Rays) -> Image {
+/// What a camera sees of a scene.
+fn photograph(scene: &Scene, film: &Film, camera: &dyn Camera) -> Image {
     let local = Local {
         samples: 1,
         arrives: Some(shadow::lit),
     };
     let whitted = Whitted { local, depth: 8 };
-    film.refine(|place, rng| {
-        rays(place).map_or(Rgb::BLACK.into(), |ray| whitted.follow(scene, &ray, rng))
-    })
+    film.render(camera, &Sampler::Refined, &whitted, scene)
 }
 
 /// The chapter's binary.

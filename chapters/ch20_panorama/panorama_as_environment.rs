@@ -1,8 +1,9 @@
 //! Uses of a panorama as an environment map: the panorama shows its scene again, and it lights other scenes.
 
-use super::all_around::{Rays, wide};
+use super::all_around::wide;
 use crate::kit::sheet::sheet;
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, mip::MipMap, tone};
 use raybook::light::environment::Environment;
@@ -30,14 +31,14 @@ pub(super) fn looks(
     film: &Film,
     from: Vec3,
     environment: &Environment,
-    photograph: impl Fn(&Film, Rays) -> Image,
+    photograph: impl Fn(&Film, &dyn Camera) -> Image,
 ) -> Result<Image, Box<dyn Error>> {
     let [mut rendered, mut cut, mut off] = [Vec::new(), Vec::new(), Vec::new()];
     for (name, toward) in LOOKS {
         let camera = wide(from, toward, 85.0, film.aspect())?;
-        let real = photograph(film, &|place| Some(camera.ray_through(place)));
+        let real = photograph(film, &camera);
         let seen =
-            film.sample(|place, _| environment.radiance(camera.ray_through(place).direction));
+            film.sample(|place, _| environment.radiance(camera.ray(place, Vec2::ZERO).direction));
         off.push(("difference", difference(&real, &seen)));
         rendered.push((name, real));
         cut.push(("cut out of the panorama", seen));

@@ -6,7 +6,7 @@
 //! New: sample/pattern/neighbours.rs sample/pattern/dart_throwing.rs sample/pattern/poisson_disk.rs
 //! New: sample/pattern/n_rooks.rs sample/pattern/multi_jittered.rs sample/pattern/halton.rs sample/pattern/r2.rs
 //! New: sample/pattern/owen.rs sample/pattern/best_candidate.rs
-//! New: render/supersample.rs scene/horizon.rs
+//! New: sample/padded.rs render/supersample.rs scene/horizon.rs
 //! Unscaled: zone_plates
 
 use crate::kit::chapter;
@@ -23,9 +23,10 @@ use clap::{Args, ValueEnum};
 use glam::Vec3;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
+use raybook::render::film::Film;
 use raybook::render::local::Local;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
-use raybook::render::supersample::{filtered, supersample};
 use raybook::render::whitted::Whitted;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::{PATTERNS, find};
@@ -82,7 +83,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
     let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     if stage.wants("picture") {
@@ -93,12 +93,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             let (samples, pattern) = ways[sheets::band(x, ways.len(), film.width)];
             (pattern.points)(samples, rng)
         };
-        let view = match knobs.filter {
-            By::Box => supersample(&film, &points, see),
-            By::Tent => filtered(&film, &points, &Filter::TENT, see),
-            By::Gaussian => filtered(&film, &points, &Filter::GAUSSIAN, see),
-            By::Mitchell => filtered(&film, &points, &Filter::MITCHELL, see),
+        let film = Film {
+            filter: match knobs.filter {
+                By::Box => Filter::BOX,
+                By::Tent => Filter::TENT,
+                By::Gaussian => Filter::GAUSSIAN,
+                By::Mitchell => Filter::MITCHELL,
+            },
+            ..film
         };
+        let view = film.render(&camera, &Sampler::Pattern(&points), &DIRECT, &scene);
         let caption = format!(
             "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
             per pixel by the pattern “{}”, averaged by the filter “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \

@@ -9,13 +9,15 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::lab::adaptive_gain::{map, measure, outcome, spent};
 use crate::lab::plot::Plot as _;
 use clap::Args;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
+use rand::Rng;
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
-use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::film::Film;
 use raybook::render::local::Local;
 use raybook::render::needs_more::StoppingRule;
+use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::find;
@@ -54,20 +56,23 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let scene = horizon::scene();
     let [eye, at] = horizon::VIEW;
     let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
-    let see = |place, rng: &mut Pcg| DIRECT.follow(&scene, &camera.ray_through(place), rng);
+    let see = |place, rng: &mut dyn Rng| DIRECT.follow(&scene, &camera.ray(place, Vec2::ZERO), rng);
     let limits = Limits {
         first: knobs.first,
         most: (4 * film.samples.max(2)).max(knobs.first),
     };
     if stage.wants("picture") {
         let mean = film.samples.max(6).max(limits.first);
-        let done = by_budget(&film, limits.first, mean, see);
+        let first = limits.first;
+        let film = Film {
+            samples: mean,
+            ..film
+        };
+        let picture = film.render(&camera, &Sampler::Budget { first }, &DIRECT, &scene);
         let caption = format!(
-            "The scene of chapter 22 with {} on average: {} rays at first, and further rays where these differ.",
-            spent(&done),
-            limits.first
+            "The scene of chapter 22 with {mean} rays per pixel on average: {first} rays at first, and further rays where these differ."
         );
-        stage.picture("picture", &caption, &done.picture)?;
+        stage.picture("picture", &caption, &picture)?;
     }
 
     if stage.wants("spent") {

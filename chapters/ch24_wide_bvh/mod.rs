@@ -17,8 +17,10 @@ use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{heat, showroom};
 use clap::Args;
 use confetti::Confetti;
+use glam::Vec2;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
+use raybook::camera::Camera;
 use raybook::shape::mesh::Mesh;
 use std::cell::LazyCell;
 use std::process::ExitCode;
@@ -54,7 +56,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("picture") {
         let rays = AtomicU64::new(0);
         let picture = film.refine(|place, numbers| {
-            let seen = confetti.follow(&camera.ray_through(place), &tree, knobs.sky_rays, numbers);
+            let seen = confetti.follow(
+                &camera.ray(place, Vec2::ZERO),
+                &tree,
+                knobs.sky_rays,
+                numbers,
+            );
             rays.fetch_add(seen.rays, Relaxed);
             seen
         });
@@ -101,7 +108,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return Ok(());
     }
     let caption = "The work for each ray of the camera, on the same scale as the maps of the other structures.";
-    let heat = heat::heat(&showroom::small(&film), |p| camera.ray_through(p), &tree);
+    let heat = heat::heat(
+        &showroom::small(&film),
+        |p| camera.ray(p, Vec2::ZERO),
+        &tree,
+    );
     stage.figure("heat", caption, &heat.figure("nodes visited")?)
 }
 

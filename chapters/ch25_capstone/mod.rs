@@ -12,6 +12,7 @@ use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
 use clap::builder::PossibleValuesParser;
 use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::Image;
 use raybook::render::film::Film;
@@ -63,7 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let shown = see(chosen)?;
         let question = Trace {
             depth: chosen.depth,
-            ray: camera(chosen)?.ray_through(Vec2::splat(0.5)),
+            ray: camera(chosen)?.ray(Vec2::splat(0.5), Vec2::ZERO),
             scene: (chosen.scene)(),
         };
         let words = described::words(shown.width(), shown.height(), &question)?;
@@ -100,7 +101,7 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(film.refine(|place, _| trace(scene, &camera.ray_through(place), depth)))
+    Ok(film.refine(|place, _| trace(scene, &camera.ray(place, Vec2::ZERO), depth)))
 }
 
 /// The chapter's binary.

@@ -28,7 +28,7 @@ impl fmt::Debug for Sketch<'_, '_> {
 }
 
 impl Sketch<'_, '_> {
-    /// The pixel on which a point ahead of the viewer appears: the inverse of [`Pinhole::ray_through`].
+    /// The pixel on which a point ahead of the viewer appears: the inverse of [`Pinhole::ray`](raybook::camera::Camera::ray).
     pub fn at(&self, p: Vec3) -> Vec2 {
         let v = p - self.viewer.focal_point;
         let shrink = self.viewer.focal_length / v.dot(*self.viewer.forward);

@@ -155,13 +155,13 @@ impl Stage {
     /// As [`Stage::film`], for a chapter whose pictures take longer: with its own default width and samples.
     pub fn film_of(&self, width: u32, samples: u32, aspect: f32) -> Film<'_> {
         let width = self.options.width.unwrap_or(width) as usize;
+        let height = ((width as f32 / aspect).round() as usize).max(1);
+        let samples = self.options.samples.unwrap_or(samples) as usize;
         let film = Film {
-            width,
-            height: ((width as f32 / aspect).round() as usize).max(1),
-            samples: self.options.samples.unwrap_or(samples) as usize,
             seed: self.options.seed,
             threads: self.options.threads(),
             progress: &*self.advance,
+            ..Film::new(width, height, samples)
         };
         self.bar.inc_length((film.width * film.height) as u64);
         film

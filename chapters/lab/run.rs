@@ -17,10 +17,9 @@ use crate::lab::table::Row;
 use crate::lab::targets::TARGETS;
 use maud::html;
 use raybook::math::pcg;
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use std::error::Error;
 use std::path::PathBuf;
-use std::thread;
 
 /// Number of realisations for what takes long and is known well from few: discrepancies and the table.
 const FEW_TIMES: u64 = 20;
@@ -245,12 +244,8 @@ impl Lab<'_> {
         alias once more." } };
         self.page.section("Pictures", text);
         let film = Film {
-            width: self.settings.width,
-            height: self.settings.width,
-            samples: 1,
             seed: 1,
-            threads: thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
-            progress: SILENT,
+            ..Film::new(self.settings.width, self.settings.width, 1)
         };
         let targets = TARGETS.map(|(name, target)| (name.replace(' ', "-"), name, target));
         for subject in &self.settings.subjects {

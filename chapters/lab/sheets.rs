@@ -12,7 +12,7 @@ use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg;
 use raybook::render::film::Film;
-use raybook::render::supersample;
+use raybook::render::supersample::supersample;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::Pattern;
 use rayon::prelude::*;
@@ -95,7 +95,8 @@ pub fn filters(film: &Film, pattern: &Pattern) -> Result<Image, Box<dyn Error>> 
     let side = small.width * TIMES;
     let mut tiles = Vec::new();
     for filter in Filter::ALL {
-        let seen = supersample::filtered(&small, pattern, &filter, |place, _| {
+        let film = Film { filter, ..small };
+        let seen = supersample(&film, pattern, |place, _| {
             targets::slanted_edge(place, pixels)
         });
         tiles.push((filter.name, seen.enlarged(TIMES)));

@@ -1,6 +1,7 @@
 //! A place to look at a mesh before there is light: a camera that frames it, a ground, a backdrop, and clay.
 
 use glam::{Vec2, Vec3, vec2, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{rgb::Rgb, tone};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, ray::Ray};
@@ -44,7 +45,7 @@ impl Showroom {
 
     /// The camera's ray through a place on the film.
     pub fn ray(&self, film: Vec2) -> Ray {
-        self.camera.ray_through(film)
+        self.camera.ray(film, Vec2::ZERO)
     }
 
     /// What a ray that misses the mesh sees: the ground, darker around the mesh, and the sky at its end.

@@ -6,13 +6,13 @@
 //! use raybook::prelude::*;
 //!
 //! let eye = Fisheye::new(Pose::level(Vec3::ZERO), Projection::Equidistant, 180.0, 1.0)?;
-//! let rim = eye.ray_through(vec2(1.0, 0.5)).expect("on the disc").direction;
+//! let rim = eye.ray(vec2(1.0, 0.5), Vec2::ZERO).direction;
 //! assert!((rim.x - 1.0).abs() < 1e-5); // 90° to the right
-//! assert!(eye.ray_through(vec2(0.01, 0.01)).is_none()); // beside the disc
+//! assert!(!eye.sees(vec2(0.01, 0.01))); // beside the disc
 //! # Ok::<(), raybook::camera::fisheye::ViewError>(())
 //! ```
 
-use crate::camera::pose::Pose;
+use crate::camera::{Camera, pose::Pose};
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, vec2};
 use std::f32::consts::TAU;
@@ -76,9 +76,7 @@ impl Projection {
     }
 }
 
-/// A camera whose view is a cone, drawn as a disc that touches the nearer edges of the film.
-///
-/// It is not a [`Camera`](crate::camera::Camera), because it has no ray for a place beside the disc, where the film stays dark.
+/// A camera whose view is a cone, drawn as a disc that touches the nearer edges of the film. Beside the disc the film stays black.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Fisheye {
     pose: Pose,
@@ -124,12 +122,13 @@ impl Fisheye {
         })
     }
 
-    // ANCHOR: fisheye_ray
-    /// The ray of a place on the film, in [0, 1]² from the top left; `None` beside the disc.
+    // ANCHOR: fisheye_direction
+    /// The direction that a place on the film shows, in the camera's coordinates; `film` as for [`Camera::ray`]. `None` beside the
+    /// disc.
     ///
-    /// q is the distance of the place from the film's middle, 1 at the rim; α is the angle of the radius q·ρ(view/2). The ray's
+    /// q is the distance of the place from the film's middle, 1 at the rim; α is the angle of the radius q·ρ(view/2). The
     /// direction is forward, turned by α towards the side on which the place is.
-    pub fn ray_through(&self, film: Vec2) -> Option<Ray> {
+    pub fn direction(&self, film: Vec2) -> Option<Dir3> {
         let stretch = vec2(self.aspect.max(1.0), (1.0 / self.aspect).max(1.0));
         let p = vec2(2.0 * film.x - 1.0, 1.0 - 2.0 * film.y) * stretch;
         let q = p.length();
@@ -138,7 +137,17 @@ impl Fisheye {
         }
         let (sin, cos) = self.projection.angle(q * self.rim).sin_cos();
         let across = sin * p.normalize_or_zero();
-        Some(self.pose.ray(Dir3::new_or(across.extend(-cos), -Dir3::Z)))
+        Some(Dir3::new_or(across.extend(-cos), -Dir3::Z))
     }
-    // ANCHOR_END: fisheye_ray
+    // ANCHOR_END: fisheye_direction
+}
+
+impl Camera for Fisheye {
+    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
+        self.pose.ray(self.direction(film).unwrap_or(-Dir3::Z))
+    }
+
+    fn sees(&self, film: Vec2) -> bool {
+        self.direction(film).is_some()
+    }
 }

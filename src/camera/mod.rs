@@ -30,6 +30,11 @@ pub trait Camera: Send + Sync {
     /// the camera has a lens.
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray;
 
+    /// Whether light falls on a place of the film. Elsewhere the film stays black, and [`Camera::ray`] has no meaning.
+    fn sees(&self, _film: Vec2) -> bool {
+        true
+    }
+
     /// Whether the ray depends on `lens`.
     fn has_lens(&self) -> bool {
         false

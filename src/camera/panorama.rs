@@ -5,8 +5,8 @@
 //! use raybook::prelude::*;
 //!
 //! let camera = Panorama { pose: Pose::level(Vec3::ZERO) };
-//! assert!(camera.ray_through(vec2(0.5, 0.5)).direction.z < -0.999); // ahead
-//! assert!(camera.ray_through(vec2(0.75, 0.5)).direction.x > 0.999); // a quarter turn to the right
+//! assert!(camera.ray(vec2(0.5, 0.5), Vec2::ZERO).direction.z < -0.999); // ahead
+//! assert!(camera.ray(vec2(0.75, 0.5), Vec2::ZERO).direction.x > 0.999); // a quarter turn to the right
 //! ```
 
 use crate::camera::{Camera, pose::Pose};
@@ -21,21 +21,15 @@ pub struct Panorama {
     pub pose: Pose,
 }
 
-impl Panorama {
+impl Camera for Panorama {
     // ANCHOR: panorama_ray
-    /// The ray of a place (u, v) on the film; `film` as for [`Camera::ray`].
+    /// The ray of a place (u, v) on the film. There is no lens.
     ///
     /// Across the film, φ = 2π·(u − ½) goes around, from forward in the middle (φ = 0) to the right (φ = ½π). Down the film,
     /// θ = π·v goes from up to down. Then d = sin θ·(cos φ·forward + sin φ·right) + cos θ·up. For a level pose, the mapping is
     /// the inverse of [`latlong::place`], and the picture is an environment map.
-    pub fn ray_through(&self, film: Vec2) -> Ray {
+    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
         self.pose.ray(latlong::direction(film))
     }
     // ANCHOR_END: panorama_ray
-}
-
-impl Camera for Panorama {
-    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
-        self.ray_through(film)
-    }
 }

@@ -106,21 +106,18 @@ impl Pinhole {
     }
 
     // ANCHOR_END: look_at
+}
+
+impl Camera for Pinhole {
     // ANCHOR: camera_ray
-    /// The ray from the focal point through a place on the image plane; `film` as for [`Camera::ray`].
+    /// The ray from the focal point through a place on the image plane. A pin-hole has no lens.
     ///
     /// The centre of pixel (x, y) of w × h is at film = ((x + ½)/w, (y + ½)/h).
-    pub fn ray_through(&self, film: Vec2) -> Ray {
+    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
         let x = (film.x - 0.5) * self.plane.x;
         let y = (0.5 - film.y) * self.plane.y;
         let toward = self.focal_length * *self.forward + x * *self.right + y * *self.up;
         Ray::new(self.focal_point, Dir3::new_or(toward, self.forward))
     }
     // ANCHOR_END: camera_ray
-}
-
-impl Camera for Pinhole {
-    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
-        self.ray_through(film)
-    }
 }

@@ -6,7 +6,7 @@
 //! let body = Pinhole::look_at(Vec3::ZERO, -Vec3::Z, Vec3::Y, 0.050, 1.0)?;
 //! let camera = ThinLens::new(&body, 2.0, 3.0, Aperture::Round)?;
 //! // Through two points of the lens, the rays of one place on the film meet in the plane in focus.
-//! let [a, b] = [-Vec2::X, Vec2::X].map(|lens| camera.ray_through(vec2(0.7, 0.4), lens));
+//! let [a, b] = [-Vec2::X, Vec2::X].map(|lens| camera.refracted(vec2(0.7, 0.4), lens));
 //! let in_focus = |ray: Ray| ray.at(-3.0 / ray.direction.z);
 //! assert!(a.origin.distance(b.origin) > 0.02);
 //! assert!(in_focus(a).distance(in_focus(b)) < 1e-5);
@@ -91,16 +91,16 @@ impl ThinLens {
     }
 
     // ANCHOR: thin_lens_ray
-    /// The ray from a point of the lens to the point in focus that belongs to a place on the film; `film` as for [`Camera::ray`].
+    /// The ray into which a point of the lens refracts light from a place on the film; `film` as for [`Camera::ray`].
     ///
     /// The ray through the middle of the lens goes straight on, as through a pin-hole. It meets the plane in focus, at the
     /// distance s along `forward`, at t = s/cos θ. All rays from the same place on the film meet there. `on_lens` is in the unit
     /// disc: (1, 0) is the edge of the lens on the camera's right, A/2 from the middle.
-    pub fn ray_through(&self, film: Vec2, on_lens: Vec2) -> Ray {
+    pub fn refracted(&self, film: Vec2, on_lens: Vec2) -> Ray {
         let Pinhole {
             forward, right, up, ..
         } = self.view;
-        let central = self.view.ray_through(film);
+        let central = self.view.ray(film, Vec2::ZERO);
         let in_focus = central.at(self.lens.focus / central.direction.dot(*forward));
         let radius = 0.5 * self.lens.aperture();
         let origin = central.origin + radius * (on_lens.x * *right + on_lens.y * *up);
@@ -109,7 +109,7 @@ impl ThinLens {
     // ANCHOR_END: thin_lens_ray
 
     // ANCHOR: arrival
-    /// The place on the film where light from p arrives through a point of the lens: the inverse of [`ThinLens::ray_through`].
+    /// The place on the film where light from p arrives through a point of the lens: the inverse of [`ThinLens::refracted`].
     ///
     /// `None` if p is behind the lens.
     pub fn arrival(&self, p: Vec3, on_lens: Vec2) -> Option<Arrival> {
@@ -141,7 +141,7 @@ impl ThinLens {
 
 impl Camera for ThinLens {
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray {
-        self.ray_through(film, self.aperture.point(lens))
+        self.refracted(film, self.aperture.point(lens))
     }
 
     fn has_lens(&self) -> bool {

@@ -64,7 +64,7 @@ impl Metal {
 ///
 /// With s = sin²θ, p² = ½(√((n² − k² − s)² + 4n²k²) + n² − k² − s) and q² = p² − (n² − k² − s):
 /// Rs = ((p − cos θ)² + q²)/((p + cos θ)² + q²) and Rp = Rs·((p − sin θ tan θ)² + q²)/((p + sin θ tan θ)² + q²)
-/// (Born and Wolf, *Principles of Optics*, 1959).
+/// (Born and Wolf, *Principles of Optics*, 1999).
 pub fn fresnel_conductor(cosine: f32, n: f32, k: f32) -> f32 {
     let cosine = cosine.clamp(0.0, 1.0);
     let s = 1.0 - cosine * cosine;

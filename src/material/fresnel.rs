@@ -38,7 +38,7 @@ impl Reflectance {
 // ANCHOR: fresnel
 /// Fresnel's equations: Rs = ((n₁ cos θ₁ − n₂ cos θ₂)/(n₁ cos θ₁ + n₂ cos θ₂))²,
 /// Rp = ((n₁ cos θ₂ − n₂ cos θ₁)/(n₁ cos θ₂ + n₂ cos θ₁))² and R = (Rs + Rp)/2, for light that comes through a medium of the
-/// index n₁ at an angle θ₁ to the normal, and goes on through n₂ at θ₂ (Fresnel 1823). `cos1` is cos θ₁.
+/// index n₁ at an angle θ₁ to the normal, and goes on through n₂ at θ₂ (Fresnel's equations; Born and Wolf 1999). `cos1` is cos θ₁.
 ///
 /// θ₂ follows from Snell's law, sin θ₂ = (n₁/n₂) sin θ₁. If this is 1 or more, all light is reflected (total internal
 /// reflection). If n₁ = n₂, nothing is reflected.

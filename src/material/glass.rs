@@ -43,7 +43,7 @@ impl Medium {
 
     // ANCHOR: transmittance
     /// e^(−σx): the share of the light that is left after x metres, because every metre takes the same share (the Beer–Lambert
-    /// law: Bouguer 1729, Lambert 1760, Beer 1852).
+    /// law: Lambert 1760, Beer 1852).
     pub fn transmittance(&self, x: f32) -> Rgb {
         // 0·∞ is NaN, and x is ∞ for a ray that meets nothing.
         self.absorption.map(|sigma| {

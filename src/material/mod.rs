@@ -22,6 +22,7 @@ pub mod glass;
 pub mod glowing;
 pub mod image_texture;
 pub mod lambert;
+mod matte_and_glossy;
 pub mod mirror;
 pub mod modified_phong;
 pub mod mtl;

@@ -10,11 +10,11 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::material::Material;
+use crate::material::{Material, matte_and_glossy::MatteAndGlossy};
 use crate::math::dir3::Dir3;
-use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf, lobe, lobe_pdf};
+use crate::sample::hemisphere::{lobe, lobe_pdf};
 use crate::shape::Surface;
-use glam::{Vec2, vec2};
+use glam::Vec2;
 use std::f32::consts::{FRAC_1_PI, TAU};
 
 /// A matte part and a glossy one (Lafortune and Willems, "Using the modified Phong reflectance model for physically based
@@ -50,17 +50,6 @@ impl ModifiedPhong {
         matte + self.specular * ((self.exponent + 2.0) / TAU * cos_alpha.powf(self.exponent))
     }
     // ANCHOR_END: brdf_phong
-
-    /// The probability with which a direction is chosen from the highlight.
-    fn glossy(&self) -> f32 {
-        glossy_share(self.diffuse, self.specular)
-    }
-}
-
-/// ρ_s/(ρ_d + ρ_s), by luminance: the share of the reflected light that is in the highlight.
-pub(super) fn glossy_share(diffuse: Rgb, specular: Rgb) -> f32 {
-    let [matte, glossy] = [diffuse, specular].map(Rgb::luminance);
-    glossy / (matte + glossy).max(f32::MIN_POSITIVE)
 }
 
 /// The mirror direction of the viewer, 2 (V·N) N − V.
@@ -73,27 +62,18 @@ impl Material for ModifiedPhong {
         self.value(at.facing(view), view, toward)
     }
 
-    /// u.x chooses one of the two parts; what is left of u.x is scaled to [0, 1), where it is uniform again.
+    /// For the highlight, a direction around the mirror direction of the viewer with a density proportional to cosⁿα.
     fn sample(&self, at: &Surface, view: Dir3, u: Vec2) -> Option<Dir3> {
-        let (normal, glossy) = (at.facing(view), self.glossy());
-        let toward = if u.x < glossy {
-            let rest = vec2(u.x / glossy, u.y);
-            lobe(mirrored(normal, view), self.exponent, rest)
-        } else {
-            let rest = vec2((u.x - glossy) / (1.0 - glossy), u.y);
-            cosine_hemisphere(normal, rest)
-        };
-        (toward.dot(*normal) > 0.0).then_some(toward)
+        let normal = at.facing(view);
+        MatteAndGlossy::of(self.diffuse, self.specular).sample(normal, u, |u| {
+            lobe(mirrored(normal, view), self.exponent, u)
+        })
     }
 
-    /// The weighted sum of both parts' densities, because the same direction may be chosen from either.
     fn pdf(&self, at: &Surface, view: Dir3, toward: Dir3) -> f32 {
-        let (normal, glossy) = (at.facing(view), self.glossy());
-        let cosine = normal.dot(*toward);
-        if cosine <= 0.0 {
-            return 0.0;
-        }
-        let cos_alpha = mirrored(normal, view).dot(*toward);
-        glossy * lobe_pdf(cos_alpha, self.exponent) + (1.0 - glossy) * cosine_pdf(cosine)
+        let normal = at.facing(view);
+        MatteAndGlossy::of(self.diffuse, self.specular).pdf(normal, toward, || {
+            lobe_pdf(mirrored(normal, view).dot(*toward), self.exponent)
+        })
     }
 }

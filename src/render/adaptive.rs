@@ -5,9 +5,10 @@
 //! use raybook::render::{adaptive::{Limits, adaptive}, needs_more::StoppingRule};
 //!
 //! // The left half of the picture is white, the right half black: only the pixels on the edge need more than 4 samples.
-//! let half = |place: Vec2, _: &mut _| if place.x < 0.5 { Rgb::WHITE } else { Rgb::BLACK };
 //! let limits = Limits { first: 4, most: 64 };
-//! let result = adaptive(&Film::new(5, 1, 64), limits, &StoppingRule::BY_CONTRAST, half);
+//! let result = adaptive(&Film::new(5, 1, 64), limits, &StoppingRule::BY_CONTRAST, |place, _| {
+//!     if place.x < 0.5 { Rgb::WHITE } else { Rgb::BLACK }
+//! });
 //! assert_eq!([0, 2, 4].map(|x| result.spent.at(x, 0).g), [4.0, 64.0, 4.0]);
 //! assert_eq!(result.mean(), 16.0);
 //! ```
@@ -16,9 +17,9 @@ use crate::image::{Image, around, rgb::Rgb};
 use crate::math::pcg::Pcg;
 use crate::render::budget::spend_budget;
 use crate::render::film::{Done, Film};
-use crate::render::followed::Followed;
 use crate::render::needs_more::StoppingRule;
 use crate::render::supersample::Radiance;
+use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::even::Even;
 use glam::Vec2;
 use rand::RngExt;
@@ -36,13 +37,13 @@ pub struct Adaptive {
 }
 
 impl Adaptive {
-    /// From the radiance of each pixel, and the number of its samples.
-    fn of(film: &Film, pixels: &[(Rgb, usize)]) -> Self {
-        let pixel = |x: usize, y: usize| pixels[y * film.width + x];
+    /// Of the samples of each pixel, and their number.
+    fn of(film: &Film, pixels: Vec<(Gathered, usize)>) -> Self {
+        let (samples, counts): (Vec<_>, Vec<_>) = pixels.into_iter().unzip();
         Self {
-            picture: Image::from_fn(film.width, film.height, |x, y| pixel(x, y).0),
+            picture: film.develop(&samples),
             spent: Image::from_fn(film.width, film.height, |x, y| {
-                Rgb::gray(pixel(x, y).1 as f32)
+                Rgb::gray(counts[y * film.width + x] as f32)
             }),
         }
     }
@@ -68,8 +69,8 @@ pub struct Limits {
 /// Each pixel gets `limits.first` samples, and their number is doubled until the [`StoppingRule`] is kept (Whitted 1980; Mitchell
 /// 1987).
 ///
-/// The places of a pixel's samples are the beginning of one Sobol sequence with Owen's scrambling ([`Even`]): so all of them
-/// together are as even as if their number had been known before.
+/// A pixel's samples are the beginning of one Sobol sequence with Owen's scrambling ([`Even`]): so all of them together are as even
+/// as if their number had been known before.
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,
     limits: Limits,
@@ -78,24 +79,22 @@ pub fn adaptive<S: Into<Followed>>(
 ) -> Adaptive {
     let most = limits.most.max(1);
     let pixels = film.each_pixel(&|x, y, rng| {
-        let point = points(rng);
-        let (mut seen, mut goal) = (Vec::new(), limits.first.clamp(1, most));
-        let mut rays = 0;
+        let see = samples(film, [x, y], rng, &radiance);
+        let (mut seen, mut looks) = (Vec::new(), Vec::new());
+        let mut goal = limits.first.clamp(1, most);
         loop {
-            for i in seen.len()..goal {
-                let sample: Followed = radiance(film.place([x, y], point(i)), rng).into();
-                seen.push(sample.radiance);
-                rays += sample.rays;
-            }
-            if goal == most || !enough.needs_more(&seen) {
+            seen.extend((seen.len()..goal).map(&see));
+            looks.extend(seen[looks.len()..].iter().map(|(_, s)| s.radiance));
+            if goal == most || !enough.needs_more(&looks) {
                 break;
             }
             goal = (2 * goal).min(most);
         }
-        let mean = seen.iter().copied().sum::<Rgb>() / seen.len() as f32;
-        ((mean, seen.len()), rays)
+        let count = seen.len();
+        let (samples, rays) = Gathered::of(film, seen.into_iter());
+        ((samples, count), rays)
     });
-    Adaptive::of(film, &pixels)
+    Adaptive::of(film, pixels)
 }
 // ANCHOR_END: adaptive
 
@@ -113,11 +112,12 @@ pub fn by_budget<S: Into<Followed>>(
 ) -> Adaptive {
     let first = first.max(2);
     let begun = film.each_pixel(&|x, y, rng| {
-        let points = (0..first).map(points(rng));
-        let see = |p| radiance(film.place([x, y], p), rng).into();
-        let seen: Vec<Followed> = points.map(see).collect();
-        let sum = seen.iter().copied().sum::<Followed>();
-        ((sum.radiance, deviation(&seen)), sum.rays)
+        let seen: Vec<_> = (0..first)
+            .map(samples(film, [x, y], rng, &radiance))
+            .collect();
+        let deviation = deviation(&seen);
+        let (samples, rays) = Gathered::of(film, seen.into_iter());
+        ((samples, deviation), rays)
     });
     let (width, size) = (film.width, [film.width, film.height]);
     let largest: Vec<_> = (0..begun.len())
@@ -137,29 +137,34 @@ pub fn by_budget<S: Into<Followed>>(
     let pixels = again.each_pixel(&|x, y, rng| {
         let i = y * width + x;
         let count = counts[i] as usize;
-        let points = (first..count).map(points(rng));
-        let rest = points.map(|p| radiance(film.place([x, y], p), rng).into());
-        let rest: Followed = rest.sum();
-        let mean = (begun[i].0 + rest.radiance) / count as f32;
-        ((mean, count), rest.rays)
+        let rest = (first..count).map(samples(film, [x, y], rng, &radiance));
+        let (rest, rays) = Gathered::of(film, rest);
+        ((begun[i].0.clone().and(&rest), count), rays)
     });
-    Adaptive::of(film, &pixels)
+    Adaptive::of(film, pixels)
 }
 // ANCHOR_END: by_budget
 
 /// The standard deviation of the samples' luminance.
-fn deviation(seen: &[Followed]) -> f32 {
+fn deviation(seen: &[(Vec2, Followed)]) -> f32 {
     let n = seen.len() as f32;
-    let mean = seen.iter().map(|s| s.radiance.luminance()).sum::<f32>() / n;
-    let squares: f32 = seen
-        .iter()
-        .map(|s| (s.radiance.luminance() - mean).powi(2))
-        .sum();
+    let luminance = || seen.iter().map(|(_, s)| s.radiance.luminance());
+    let mean = luminance().sum::<f32>() / n;
+    let squares: f32 = luminance().map(|l| (l - mean).powi(2)).sum();
     (squares / (n - 1.0)).sqrt()
 }
 
-/// The points of a pixel, in [0, 1)², for as many samples as it will get.
-fn points(rng: &mut Pcg) -> impl Fn(usize) -> Vec2 + use<> {
+/// The samples of a pixel, for as many as it will get: the point of the pixel, in [0, 1)², and what is seen there.
+fn samples<S: Into<Followed>>(
+    film: &Film,
+    pixel: [usize; 2],
+    rng: &mut Pcg,
+    radiance: &impl Radiance<S>,
+) -> impl Fn(usize) -> (Vec2, Followed) {
     let key = rng.random();
-    move |i| Even::new(key, i, MOST).pair()
+    move |i| {
+        let mut numbers = Even::new(key, i, MOST);
+        let p = numbers.pair();
+        (p, radiance(film.place(pixel, p), &mut numbers).into())
+    }
 }

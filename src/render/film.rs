@@ -18,7 +18,8 @@ use crate::image::{
     rgb::Rgb,
 };
 use crate::math::pcg::{self, Pcg};
-use crate::render::followed::Followed;
+use crate::render::{followed::Followed, gather::Gathered};
+use crate::sample::filter::Filter;
 use crate::sample::pattern::sobol::sobol;
 use crate::threads;
 use glam::{Vec2, vec2};
@@ -43,6 +44,8 @@ pub struct Film<'a> {
     pub samples: usize,
     /// The seed of all random numbers.
     pub seed: u64,
+    /// The filter by which the samples become pixels. One that is wider than a pixel takes memory: 16 bytes for each pixel in its reach.
+    pub filter: Filter,
     /// Number of threads, at least 1; the picture does not depend on it.
     pub threads: usize,
     /// Called from any thread whenever some pixels are done; returns whether to go on.
@@ -63,6 +66,7 @@ impl fmt::Debug for Film<'_> {
             .field("height", &self.height)
             .field("samples", &self.samples)
             .field("seed", &self.seed)
+            .field("filter", &self.filter.name)
             .field("threads", &self.threads)
             .finish_non_exhaustive()
     }
@@ -81,14 +85,15 @@ pub struct Done {
 pub type Pixel<'a, T> = dyn Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync + 'a;
 
 impl Film<'_> {
-    /// A film of `width` × `height` pixels with `samples` samples each, for all processors, with the seed 0 and without progress
-    /// reports.
+    /// A film of `width` × `height` pixels with `samples` samples each, for all processors, with the seed 0, a box as its filter, and
+    /// without progress reports.
     pub fn new(width: usize, height: usize, samples: usize) -> Self {
         Self {
             width,
             height,
             samples,
             seed: 0,
+            filter: Filter::BOX,
             threads: available_parallelism().map_or(1, usize::from),
             progress: SILENT,
         }
@@ -132,7 +137,7 @@ impl Film<'_> {
     }
 
     // ANCHOR: film_loop
-    /// The picture whose pixels are the mean of `radiance` over their samples.
+    /// The picture whose pixels are the mean of `radiance` over their samples, weighted by the film's filter.
     ///
     /// `radiance` is given the place on the film, in [0, 1]² from the top left, and the pixel's random numbers. It returns an
     /// [`Rgb`], or a [`Followed`] that counts its rays.
@@ -140,12 +145,10 @@ impl Film<'_> {
         &self,
         radiance: impl Fn(Vec2, &mut Pcg) -> S + Sync,
     ) -> Image {
-        self.render_pixels(|x, y, rng| {
-            let places = place_in_pixel(self.samples, rng);
-            let sum: Followed = (0..self.samples)
-                .map(|i| radiance(self.place([x, y], places(i)), rng).into())
-                .sum();
-            sum.mean_of(self.samples)
+        self.expose(&|x, y, rng| {
+            let points = (0..self.samples).map(place_in_pixel(self.samples, rng));
+            let see = |p| (p, radiance(self.place([x, y], p), rng).into());
+            Gathered::of(self, points.map(see))
         })
     }
     // ANCHOR_END: film_loop
@@ -166,7 +169,7 @@ impl Film<'_> {
 
     // From here on, `pixel` is called through a pointer, so that the loop is compiled once, not once for each closure.
 
-    fn draw(&self, pixel: &Pixel<Rgb>) -> Image {
+    pub(crate) fn draw(&self, pixel: &Pixel<Rgb>) -> Image {
         let pixels = self.each_pixel(pixel);
         Image::from_fn(self.width, self.height, |x, y| pixels[y * self.width + x])
     }

@@ -39,7 +39,9 @@ impl Film<'_> {
             let mut sum = Guide::default();
             for i in 0..SAMPLES {
                 let place = self.place([x, y], places(i));
-                sum += seen(scene, &camera.ray(place, Vec2::splat(0.5)));
+                if camera.sees(place) {
+                    sum += seen(scene, &camera.ray(place, Vec2::splat(0.5)));
+                }
             }
             (sum / SAMPLES as f32, SAMPLES as u64)
         })

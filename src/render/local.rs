@@ -16,8 +16,8 @@
 
 use crate::image::rgb::Rgb;
 use crate::light::LightSample;
-use crate::math::dir3::Dir3;
-use crate::render::followed::Followed;
+use crate::math::{dir3::Dir3, ray::Ray};
+use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::{Scene, Seen};
 use crate::shape::Surface;
 use glam::vec2;
@@ -74,4 +74,23 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
         }
     }
     // ANCHOR_END: local
+}
+
+/// What a ray sees in the light that comes straight from the lights: mirrors and glass are black.
+impl<A: Fn(&Scene, &Surface, &LightSample) -> bool + Sync> Integrator for Local<A> {
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
+        let Some(mut seen) = scene.closest(ray) else {
+            return Followed {
+                radiance: scene.behind_everything(ray),
+                rays: 1,
+            };
+        };
+        let view = -ray.direction;
+        cone.after(seen.t).cover(&mut seen.surface, view);
+        let local = self.follow(scene, &seen, view, numbers);
+        Followed {
+            rays: local.rays + 1,
+            ..local
+        }
+    }
 }

@@ -17,7 +17,7 @@
 use crate::image::{Image, around};
 use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
-use crate::render::followed::Followed;
+use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::even::Even;
 use glam::Vec2;
 use rand::RngExt;
@@ -35,15 +35,16 @@ const RESTLESS: f32 = 0.2;
 type Radiance<'a> = dyn Fn(Vec2, &mut Even) -> Followed + Sync + 'a;
 
 /// The result of the first samples of a pixel.
-#[derive(Clone, Copy, Default)]
+#[derive(Clone, Default)]
 struct Begun {
-    sum: Followed,
+    samples: Gathered,
     /// The variance of the displayed brightness, of the channel with the largest variance.
     variance: f32,
 }
 
 impl Film<'_> {
-    /// The picture whose pixels are the mean of `radiance` over all samples, with low-discrepancy numbers ([`Even`]).
+    /// The picture whose pixels are the mean of `radiance` over all samples, weighted by the film's filter, with
+    /// low-discrepancy numbers ([`Even`]).
     ///
     /// `radiance` gets the place on the film, in [0, 1]² from the top left, and the sample's random numbers.
     pub fn evenly<S: Into<Followed>>(
@@ -69,10 +70,9 @@ impl Film<'_> {
 }
 
 fn all(film: &Film, radiance: &Radiance) -> Image {
-    film.render_pixels(|x, y, rng| {
+    film.expose(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
-        let sum: Followed = (0..film.samples).map(|i| sample.seen(i, radiance)).sum();
-        sum.mean_of(film.samples)
+        Gathered::of(film, (0..film.samples).map(|i| sample.seen(i, radiance)))
     })
 }
 
@@ -93,8 +93,7 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
     let begun = begins.each_pixel(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
         let seen: Vec<_> = (0..first).map(|i| sample.seen(i, radiance)).collect();
-        let begun = Begun::by(&seen);
-        (begun, begun.sum.rays)
+        Begun::by(film, &seen)
     });
     let again = Film {
         progress: &|done| {
@@ -105,17 +104,15 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
         },
         ..*film
     };
-    again.render_pixels(|x, y, rng| {
+    again.expose(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
         let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
         let count = (share * all as f32).ceil() as usize;
         let count = count.max(first).next_power_of_two().min(all);
-        let rest: Followed = (first..count).map(|i| sample.seen(i, radiance)).sum();
-        let sum = begun[y * film.width + x].sum.radiance + rest.radiance;
-        Followed {
-            radiance: sum / count as f32,
-            ..rest
-        }
+        let rest = (first..count).map(|i| sample.seen(i, radiance));
+        let (rest, rays) = Gathered::of(film, rest);
+        let samples = begun[y * film.width + x].samples.clone();
+        (samples.and(&rest), rays)
     })
 }
 // ANCHOR_END: refine
@@ -138,36 +135,38 @@ impl<'a> Sample<'a> {
         }
     }
 
-    /// The radiance of sample i. A single sample is in the middle of the pixel.
-    fn seen(&self, i: usize, radiance: &Radiance) -> Followed {
+    /// The place of sample i in the pixel, and its radiance. A single sample is in the middle of the pixel.
+    fn seen(&self, i: usize, radiance: &Radiance) -> (Vec2, Followed) {
         let film = self.film;
         let mut numbers = Even::new(self.key, i, film.samples);
         let spread = numbers.pair();
-        let place = if film.samples == 1 {
+        let p = if film.samples == 1 {
             Vec2::splat(0.5)
         } else {
             spread
         };
-        radiance(film.place(self.pixel, place), &mut numbers)
+        (p, radiance(film.place(self.pixel, p), &mut numbers))
     }
 }
 
 impl Begun {
-    fn by(seen: &[Followed]) -> Self {
+    /// By the first samples; also the number of their rays.
+    fn by(film: &Film, seen: &[(Vec2, Followed)]) -> (Self, u64) {
         let n = seen.len() as f32;
         // The square root approximates the sRGB curve of a display.
         let shown = |channel: usize| {
-            let values = seen.iter().map(move |s| s.radiance.channels()[channel]);
+            let values = seen
+                .iter()
+                .map(move |(_, s)| s.radiance.channels()[channel]);
             values.map(|v| v.clamp(0.0, 1.0).sqrt())
         };
         let variance = |channel: usize| {
             let mean = shown(channel).sum::<f32>() / n;
             shown(channel).map(|v| (v - mean).powi(2)).sum::<f32>() / (n - 1.0).max(1.0)
         };
-        Self {
-            sum: seen.iter().copied().sum(),
-            variance: (0..3).map(variance).fold(0.0, f32::max),
-        }
+        let variance = (0..3).map(variance).fold(0.0, f32::max);
+        let (samples, rays) = Gathered::of(film, seen.iter().copied());
+        (Self { samples, variance }, rays)
     }
 }
 

@@ -17,14 +17,15 @@
 
 use crate::camera::Camera;
 use crate::image::Image;
-use crate::math::{pcg::Pcg, ray::Ray};
+use crate::math::ray::Ray;
 use crate::render::adaptive::{Limits, adaptive, by_budget};
+use crate::render::needs_more::StoppingRule;
+use crate::render::supersample::{Points, supersample};
 use crate::render::{cone::Cone, film::Film, followed::Followed};
-use crate::render::{needs_more::StoppingRule, supersample::supersample};
-use crate::sample::pattern::Pattern;
 use crate::scene::world::Scene;
 use glam::{Vec2, vec2};
 use rand::{Rng, RngExt};
+use std::fmt;
 
 // ANCHOR: integrator
 /// An integrator: a method to estimate the radiance that comes along a ray through a scene.
@@ -37,17 +38,18 @@ pub trait Integrator: Sync {
 }
 // ANCHOR_END: integrator
 
-/// The number of samples of each pixel, and their places. A pixel's random numbers follow from the film's seed and the pixel's
-/// place.
-#[derive(Clone, Copy, Debug, Default)]
+/// The number of samples of each pixel, and their random numbers: a pair for the place in the pixel, and one for each further
+/// choice, as the point on the lens. All numbers of a pixel follow from the film's seed and the pixel's place.
+#[derive(Clone, Copy, Default)]
 pub enum Sampler<'a> {
     /// All samples of the film, with Owen-scrambled Sobol points for every random choice of a sample ([`Film::evenly`]).
     #[default]
     Even,
     /// The same points, but fewer samples where they are similar ([`Film::refine`]): for pictures without noise.
     Refined,
-    /// All samples, at places in the pixel that a pattern chooses; all other choices are random ([`supersample`]).
-    Pattern(&'a Pattern),
+    /// All samples, with the points of a [`Pattern`](crate::sample::pattern::Pattern), or of a function, for every random choice
+    /// ([`supersample`]).
+    Pattern(&'a dyn Points),
     /// Within limits, as many samples as a pixel needs ([`adaptive`]).
     Adaptive(Limits, StoppingRule),
     /// The film's samples per pixel on average, distributed by the deviation of the first samples of each pixel ([`by_budget`]).
@@ -57,9 +59,21 @@ pub enum Sampler<'a> {
     },
 }
 
+impl fmt::Debug for Sampler<'_> {
+    fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
+        match self {
+            Self::Even => write!(f, "Even"),
+            Self::Refined => write!(f, "Refined"),
+            Self::Pattern(_) => write!(f, "Pattern"),
+            Self::Adaptive(limits, rule) => write!(f, "Adaptive({limits:?}, {rule:?})"),
+            Self::Budget { first } => write!(f, "Budget {{ first: {first} }}"),
+        }
+    }
+}
+
 impl Film<'_> {
     // ANCHOR: render
-    /// The picture that a camera takes of a scene: the mean radiance over the samples of each pixel.
+    /// The picture that a camera takes of a scene: the mean radiance over the samples of each pixel, weighted by the film's filter.
     ///
     /// ```
     /// use raybook::prelude::*;
@@ -82,6 +96,9 @@ impl Film<'_> {
         let cone = Cone::of_sample(camera, self);
         // A pin-hole camera needs no numbers for a lens: making them would cost time.
         let see = |place: Vec2, numbers: &mut dyn Rng| {
+            if !camera.sees(place) {
+                return Followed::default();
+            }
             let lens = if camera.has_lens() {
                 vec2(numbers.random(), numbers.random())
             } else {
@@ -89,13 +106,12 @@ impl Film<'_> {
             };
             integrator.follow(scene, &camera.ray(place, lens), cone, numbers)
         };
-        let by_chance = |place: Vec2, numbers: &mut Pcg| see(place, numbers);
         match *sampler {
             Sampler::Even => self.evenly(|place, numbers| see(place, numbers)),
             Sampler::Refined => self.refine(|place, numbers| see(place, numbers)),
-            Sampler::Pattern(pattern) => supersample(self, pattern, by_chance),
-            Sampler::Adaptive(limits, enough) => adaptive(self, limits, &enough, by_chance).picture,
-            Sampler::Budget { first } => by_budget(self, first, self.samples, by_chance).picture,
+            Sampler::Pattern(pattern) => supersample(self, pattern, see),
+            Sampler::Adaptive(limits, enough) => adaptive(self, limits, &enough, see).picture,
+            Sampler::Budget { first } => by_budget(self, first, self.samples, see).picture,
         }
     }
     // ANCHOR_END: render

@@ -52,6 +52,11 @@ impl Filter {
     /// All four filters.
     pub const ALL: [Self; 4] = [Self::BOX, Self::TENT, Self::GAUSSIAN, Self::MITCHELL];
 
+    /// Number of pixels on each side of a pixel whose samples also count: 0 if the filter is no wider than a pixel.
+    pub fn reach(&self) -> usize {
+        (self.radius - 0.5).ceil().max(0.0) as usize
+    }
+
     /// The weight w of a sample at `offset` from the pixel's centre, in pixels.
     pub fn weight(&self, offset: Vec2) -> f32 {
         let t = offset / self.radius;

@@ -15,5 +15,6 @@ pub mod disk;
 pub mod even;
 pub mod filter;
 pub mod hemisphere;
+pub mod padded;
 pub mod pattern;
 pub mod polygon;

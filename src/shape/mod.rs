@@ -129,7 +129,7 @@ impl Surface {
     ///
     /// This is the only rule against self-intersection. `position` is not exactly on the surface, but at most
     /// e = `error` away along each axis, that is e·(|nₓ| + |n_y| + |n_z|) along the normal n. The ray starts at this distance,
-    /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, 3rd edition, 2016, §3.9).
+    /// on the side to which it leaves (Pharr, Jakob and Humphreys, *Physically Based Rendering*, 4th edition, 2023, §6.8).
     /// So its origin is certainly on this side, at any scale of the scene, and AHEAD needs no 0.001. On the side from which the
     /// point was seen, `clear` is used instead, which is as far off the surface, and better where two surfaces meet.
     #[inline]

@@ -1,4 +1,4 @@
-//! The Utah teapot (Newell 1975), as a mesh of any fineness.
+//! The Utah teapot (Martin Newell's, in Blinn and Newell 1976), as a mesh of any fineness.
 //!
 //! ```
 //! use raybook::shape::teapot;

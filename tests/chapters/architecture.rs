@@ -60,10 +60,12 @@ fn a_file_of_the_library_is_new_in_one_chapter_at_the_most() {
 }
 
 /// What a chapter may use before it is taught: the fastest structure, where the chapter is about something else; and what the one
-/// interface of materials speaks of, the medium that light comes through and directions that are chosen by chance.
-const TOOLS: [&str; 3] = [
+/// interface of materials and the one film loop speak of: the medium that light comes through, directions that are chosen by chance,
+/// and the filter of the samples.
+const TOOLS: [&str; 4] = [
     "accel/wide_bvh/mod.rs",
     "material/glass.rs",
+    "sample/filter.rs",
     "sample/hemisphere.rs",
 ];
 

@@ -6,18 +6,15 @@ use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::Image;
 use raybook::image::compare::{Tolerance, compare};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::scene::noise;
 use raybook_chapters::ch02_hdr::{evening, window};
 
 fn look_out(width: usize, jiggle: f32) -> Image {
     let film = Film {
-        width,
-        height: width * 9 / 16,
-        samples: 4,
         seed: 1,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(width, width * 9 / 16, 4)
     };
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())
         .expect("it can");

@@ -7,19 +7,15 @@ mod panorama;
 mod round_trip;
 mod scene;
 
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg;
 use raybook::math::{dir3::Dir3, pcg::Pcg, ray::Ray};
-use raybook::render::{
-    film::{Film, SILENT},
-    local::Local,
-    shadow,
-    whitted::Whitted,
-};
+use raybook::render::{film::Film, local::Local, shadow, whitted::Whitted};
 use raybook::scene::world::Scene;
 
 /// A direction, uniform on the sphere: a point in the ball, as long as it takes to find one.
@@ -44,12 +40,9 @@ fn seen(scene: &Scene, ray: &Ray) -> Rgb {
 /// One ray through the middle of each pixel.
 fn film(width: usize, height: usize) -> Film<'static> {
     Film {
-        width,
-        height,
-        samples: 1,
         seed: 1,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(width, height, 1)
     }
 }
 
@@ -57,5 +50,5 @@ fn film(width: usize, height: usize) -> Film<'static> {
 fn panorama(scene: &Scene, from: Vec3, width: usize) -> Image {
     let pose = Pose::level(from);
     let camera = Panorama { pose };
-    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray_through(place)))
+    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray(place, Vec2::ZERO)))
 }

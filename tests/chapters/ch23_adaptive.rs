@@ -2,11 +2,11 @@
 
 use glam::Vec2;
 use proptest::prelude::*;
+use rand::Rng;
 use raybook::image::rgb::Rgb;
-use raybook::math::pcg::Pcg;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::budget::spend_budget;
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::render::needs_more::StoppingRule;
 use raybook::render::supersample::supersample;
 use raybook::sample::pattern::find;
@@ -16,17 +16,14 @@ const LIMITS: Limits = Limits { first: 4, most: 64 };
 
 fn film(samples: usize, threads: usize) -> Film<'static> {
     Film {
-        width: 48,
-        height: 32,
-        samples,
         seed: 5,
         threads,
-        progress: SILENT,
+        ..Film::new(48, 32, samples)
     }
 }
 
 /// White to the left of a slanted edge, dark grey to the right.
-fn edge(place: Vec2, _: &mut Pcg) -> Rgb {
+fn edge(place: Vec2, _: &mut dyn Rng) -> Rgb {
     Rgb::gray(if place.x + 0.3 * place.y < 0.6 {
         1.0
     } else {
@@ -100,7 +97,7 @@ fn the_same_error_costs_fewer_rays() {
 
 #[test]
 fn one_thread_and_three_make_the_same_picture() {
-    let noisy = |place: Vec2, rng: &mut Pcg| {
+    let noisy = |place: Vec2, rng: &mut dyn Rng| {
         use rand::RngExt;
         edge(place, rng) * (0.9 + 0.2 * rng.random::<f32>())
     };

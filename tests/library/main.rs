@@ -29,6 +29,7 @@ mod embree_recorded;
 mod guides;
 mod laws;
 mod noise;
+mod padded;
 mod plastic;
 mod published;
 mod scaling;

@@ -1,15 +1,12 @@
 //! The noise-aware comparison of pictures: right ones with another seed pass, and a table of planted errors is caught.
 
-use glam::{Vec3, vec2};
+use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::pcg;
-use raybook::render::{
-    film::{Film, SILENT},
-    mis::Strategy,
-    path::Path,
-};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::sample::pattern::jittered::jittered;
 use raybook::scene::cornell;
 use raybook_common::noisy::{BATCHES, Noisy};
@@ -35,12 +32,9 @@ fn render(path: Path, seed: u64) -> Image {
     let (eye, zoom) = (cornell::EYE, cornell::ZOOM * PLANE_HEIGHT);
     let camera = Pinhole::look_at(eye, eye + Vec3::Z, Vec3::Y, zoom, 1.0).expect("a camera");
     let film = Film {
-        width: SIZE,
-        height: SIZE,
-        samples: SAMPLES,
         seed,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(SIZE, SIZE, SAMPLES)
     };
     // Jittered samples, whose noise is nearly normal, as the bounds suppose: the film's own, which are spread more evenly, take
     // only a few values where an edge runs through a pixel.
@@ -48,7 +42,7 @@ fn render(path: Path, seed: u64) -> Image {
         let places = jittered(8, SAMPLES / 8, rng);
         let seen = places.into_iter().map(|place| {
             let place = (vec2(x as f32, y as f32) + place) / SIZE as f32;
-            path.radiance(&scene, &camera.ray_through(place), rng)
+            path.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng)
         });
         seen.sum::<Rgb>() / SAMPLES as f32
     })

@@ -51,7 +51,10 @@ fn the_first_images_of_ray_tracing_in_one_weekend_are_the_same_byte_for_byte() {
     let small = Sphere::new(-Vec3::Z, 0.5);
     let ground = Sphere::new(vec3(0.0, -100.5, -1.0), 100.0);
     let ray = |x: usize, y: usize| {
-        camera.ray_through(vec2((x as f32 + 0.5) / 400.0, (y as f32 + 0.5) / 225.0))
+        camera.ray(
+            vec2((x as f32 + 0.5) / 400.0, (y as f32 + 0.5) / 225.0),
+            Vec2::ZERO,
+        )
     };
     let hit = |ray: &Ray, ball: &Sphere| ball.hit(ray, Interval::AHEAD);
     let normal = |ray: &Ray, balls: &[Sphere]| {
@@ -223,7 +226,10 @@ fn later_images_of_ray_tracing_in_one_weekend_have_the_same_means() {
         ball(r, -1.0, r, lambert(1.0, 0.0, 0.0)),
     ];
     as_in_the_book("rtw 1.19", &looking(Vec3::ZERO, -Vec3::Z, 90.0), touching);
-    let far = looking(vec3(-2.0, 2.0, 1.0), -Vec3::Z, 20.0);
+    let from = vec3(-2.0, 2.0, 1.0);
+    as_in_the_book("rtw 1.20", &looking(from, -Vec3::Z, 90.0), glass());
+    let far = looking(from, -Vec3::Z, 20.0);
+    as_in_the_book("rtw 1.21", &far, glass());
     let diameter = 2.0 * 3.4 * 5_f32.to_radians().tan();
     let lens = ThinLens::with_view(&far, diameter, 3.4, Aperture::Round).expect("a lens");
     as_in_the_book("rtw 1.22", &lens, glass());

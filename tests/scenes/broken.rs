@@ -69,6 +69,14 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
         "5:9: `width` must be a whole number from 1 to 8192, and this is 640.5",
     ),
     (
+        "[picture]\nfilter = \"mitchel\"\n",
+        "5:10: `mitchel` is none of `box`, `tent`, `gaussian`, `mitchell`; did you mean `mitchell`?",
+    ),
+    (
+        "kind = \"fisheye\"\nprojection = \"orthographic\"\nview_degrees = 200\n",
+        "6:16: this fisheye's view, 200°, must be more than 0° and at most 180°: its projection is Orthographic",
+    ),
+    (
         "[integrator]\nkind = \"paths\"\n",
         "5:8: `paths` is none of `path`, `whitted`; did you mean `path`?",
     ),

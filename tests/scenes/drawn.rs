@@ -3,6 +3,7 @@
 use crate::{CAMERA, parse};
 use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::prelude::*;
+use raybook::sample::filter::Filter;
 use raybook::scene::cornell;
 use raybook_common::project;
 use raybook_scenes::load;
@@ -149,4 +150,42 @@ fn another_width_keeps_the_shape_of_the_picture() {
         let shot = raybook_scenes::parse(&path, &text, Some(width)).expect("a scene");
         assert_eq!((shot.picture.width, shot.picture.height), (width, height));
     }
+}
+
+#[test]
+fn a_filter_is_the_films_filter() {
+    let with = |filter: &str| {
+        let text = format!(
+            "{CAMERA}[picture]\n{filter}\n[[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 1\n\
+            material = {{ kind = \"glowing\", radiance = 1 }}\n"
+        );
+        let shot = parse(&text).unwrap_or_else(|error| panic!("{error}"));
+        (shot.render(&Film::new(16, 12, 16)), shot)
+    };
+    let (plain, _) = with("");
+    let (boxed, _) = with("filter = \"box\"");
+    assert!(plain.same_bits(&boxed), "a box is the default");
+    let (drawn, shot) = with("filter = \"mitchell\"");
+    let film = Film {
+        filter: Filter::MITCHELL,
+        ..Film::new(16, 12, 16)
+    };
+    let expected = film.render(&*shot.camera, &Sampler::Even, &Path::WHOLE, &shot.scene);
+    assert!(drawn.same_bits(&expected));
+    let brightest = |picture: &Image| picture.pixels().iter().map(|p| p.g).fold(0.0, f32::max);
+    assert!(
+        brightest(&drawn) > 1.01 && brightest(&plain) < 1.01,
+        "it overshoots at the rim"
+    );
+}
+
+#[test]
+fn a_fisheye_leaves_its_corners_black() {
+    let text =
+        format!("{CAMERA}kind = \"fisheye\"\n[backdrop]\nabove = 1\nhorizon = 1\nbelow = 1\n");
+    let shot = parse(&text).unwrap_or_else(|error| panic!("{error}"));
+    // The picture is 640 wide and 480 high: the disc is three quarters as wide as it.
+    let picture = shot.render(&Film::new(64, 48, 4));
+    assert_eq!([picture.at(0, 0), picture.at(4, 24)], [Rgb::BLACK; 2]);
+    assert!(picture.at(32, 24).g > 0.99 && picture.at(12, 24).g > 0.99);
 }

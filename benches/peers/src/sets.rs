@@ -3,8 +3,9 @@
 use crate::meshes::{Scene, ball};
 use crate::racer::{Query, Question};
 use crate::racers::embree::Embree;
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::math::basis::Basis;
 use raybook::math::pcg::{self, Pcg};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -90,7 +91,7 @@ pub(crate) fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) ->
 
 fn through_pixel(scene: &Scene, side: usize, i: usize) -> Question {
     let [x, y] = [i % side, i / side].map(|i| (i as f32 + 0.5) / side as f32);
-    (scene.camera.ray_through(vec2(x, y)), Interval::AHEAD)
+    (scene.camera.ray(vec2(x, y), Vec2::ZERO), Interval::AHEAD)
 }
 
 /// From a point of the sphere around the mesh to another one.

@@ -22,12 +22,11 @@ use measure::{Measure, measures};
 use plotters::coord::Shift;
 use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, Rectangle};
 use raybook::image::{Image, file};
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::store;
 use std::error::Error;
 use std::fmt::Write;
 use std::path::PathBuf;
-use std::thread;
 
 /// What is compared.
 const COMPARED: [&str; 3] = ["rotated-grid", "jittered", "poisson-disk"];
@@ -104,12 +103,8 @@ impl Slide {
             .collect();
         let realisations = settings.realisations;
         let film = Film {
-            width: CROP,
-            height: CROP,
-            samples: 4,
             seed: settings.seed,
-            threads: thread::available_parallelism().map_or(1, std::num::NonZeroUsize::get),
-            progress: SILENT,
+            ..Film::new(CROP, CROP, 4)
         };
         let rings = subjects
             .iter()

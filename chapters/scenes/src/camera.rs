@@ -5,6 +5,7 @@ use crate::wrong::TextError;
 use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::aperture::Aperture;
+use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::panorama::Panorama;
 use raybook::camera::pinhole::{Pinhole, focal_length};
 use raybook::camera::pose::Pose;
@@ -16,15 +17,15 @@ pub(crate) fn camera(fields: Fields, aspect: f32) -> Result<Box<dyn Camera>, Tex
     let (from, to) = (fields.need("from_m", from)?, fields.place("to_m")?);
     let to = fields.need("to_m", to)?;
     let up = fields.direction("up")?.map_or(Vec3::Y, |up| *up);
-    let kind = fields.choice("kind", &["lens", "panorama"])?;
+    let kind = fields.choice("kind", &["lens", "panorama", "fisheye"])?;
     let length = view(&fields, kind)?;
     let pinhole = Pinhole::look_at(from, to, up, length, aspect)
         .map_err(|error| fields.wrong("to_m", error.to_string()))?;
-    let camera: Box<dyn Camera> = if kind == Some("panorama") {
-        let pose = Pose::from(pinhole);
-        Box::new(Panorama { pose })
-    } else {
-        lens(&fields, &pinhole, from.distance(to))?
+    let pose = Pose::from(pinhole);
+    let camera: Box<dyn Camera> = match kind {
+        Some("panorama") => Box::new(Panorama { pose }),
+        Some("fisheye") => Box::new(fisheye(&fields, pose, aspect)?),
+        _ => lens(&fields, &pinhole, from.distance(to))?,
     };
     fields.finish()?;
     Ok(camera)
@@ -32,7 +33,7 @@ pub(crate) fn camera(fields: Fields, aspect: f32) -> Result<Box<dyn Camera>, Tex
 
 /// The focal length of the view, in metres.
 fn view(fields: &Fields, kind: Option<&str>) -> Result<f32, TextError> {
-    if kind == Some("panorama") {
+    if matches!(kind, Some("panorama" | "fisheye")) {
         return Ok(1.0);
     }
     let angle = fields.number("view_height_degrees", 0.01..=175.0)?;
@@ -46,6 +47,27 @@ fn view(fields: &Fields, kind: Option<&str>) -> Result<f32, TextError> {
         (None, Some(length)) => Ok(length / 1000.0),
         (None, None) => Ok(focal_length(40.0)),
     }
+}
+
+/// The projections of a fisheye by their words.
+const PROJECTIONS: [(&str, Projection); 4] = [
+    ("equidistant", Projection::Equidistant),
+    ("equisolid", Projection::Equisolid),
+    ("stereographic", Projection::Stereographic),
+    ("orthographic", Projection::Orthographic),
+];
+
+fn fisheye(fields: &Fields, pose: Pose, aspect: f32) -> Result<Fisheye, TextError> {
+    let chosen = fields.choice("projection", &PROJECTIONS.map(|(word, _)| word))?;
+    let found = PROJECTIONS
+        .into_iter()
+        .find(|(word, _)| chosen == Some(word));
+    let projection = found.map_or(Projection::Equidistant, |(_, projection)| projection);
+    let view = fields
+        .number("view_degrees", 0.01..=360.0)?
+        .unwrap_or(180.0);
+    Fisheye::new(pose, projection, view, aspect)
+        .map_err(|error| fields.wrong("view_degrees", error.to_string()))
 }
 
 /// A pin-hole, or a lens where its diameter or its f-number is given.

@@ -48,12 +48,16 @@ impl fmt::Debug for Shot {
 }
 
 impl Shot {
-    /// The radiance of the picture on a film, which has the number of samples and the callback for the progress.
+    /// The radiance of the picture, by the file's filter, on a film which has the number of samples and the callback for the progress.
     pub fn render(&self, film: &Film) -> Image {
         let Rendering {
             sampler,
             integrator,
         } = &self.rendering;
+        let film = Film {
+            filter: self.picture.filter,
+            ..*film
+        };
         film.render(&*self.camera, sampler, &**integrator, &self.scene)
     }
 }

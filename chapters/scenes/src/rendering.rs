@@ -9,6 +9,7 @@ use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::needs_more::StoppingRule;
 use raybook::render::sampler::{Integrator, Sampler};
 use raybook::render::{path::Path, shadow, whitted::Whitted};
+use raybook::sample::filter::Filter;
 use raybook::sample::pattern::{self, PATTERNS};
 use std::fmt;
 
@@ -16,7 +17,7 @@ use std::fmt;
 pub const WIDEST: u64 = 8192;
 
 /// The size of a picture, and how it is displayed.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug)]
 pub struct Picture {
     /// Columns.
     pub width: usize,
@@ -26,6 +27,8 @@ pub struct Picture {
     pub samples: usize,
     /// Seed of all random numbers.
     pub seed: u64,
+    /// The filter by which the samples become pixels.
+    pub filter: Filter,
     /// Stops by which the picture is brightened for the display.
     pub exposure: f32,
     /// Whether bright colours fade to white as on film; else they are cut off.
@@ -66,6 +69,7 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
         height: 480,
         samples: 64,
         seed: 1,
+        filter: Filter::BOX,
         exposure: 0.0,
         film_like: false,
     };
@@ -81,6 +85,7 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
         seed: fields
             .whole("seed", 0..=i64::MAX as u64)?
             .unwrap_or(usual.seed),
+        filter: filter(&fields)?.unwrap_or(usual.filter),
         exposure: fields
             .number("exposure_stops", -30.0..=30.0)?
             .unwrap_or(0.0),
@@ -88,6 +93,20 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
     };
     fields.finish()?;
     Ok(picture)
+}
+
+/// The filters by their words.
+const FILTERS: [(&str, Filter); 4] = [
+    ("box", Filter::BOX),
+    ("tent", Filter::TENT),
+    ("gaussian", Filter::GAUSSIAN),
+    ("mitchell", Filter::MITCHELL),
+];
+
+fn filter(fields: &Fields) -> Result<Option<Filter>, TextError> {
+    let chosen = fields.choice("filter", &FILTERS.map(|(word, _)| word))?;
+    let found = FILTERS.into_iter().find(|(word, _)| chosen == Some(word));
+    Ok(found.map(|(_, filter)| filter))
 }
 
 /// The integrator, which follows light, and the sampler, which places the samples.

@@ -24,7 +24,7 @@ use glam::Vec3;
 use tree::Tree;
 use walk::Walk;
 
-/// An octree (Meagher 1980; for rays: Glassner 1984).
+/// An octree (Meagher 1982; for rays: Glassner 1984).
 #[derive(Clone, Debug)]
 pub struct Octree<S> {
     tree: Tree,

@@ -10,7 +10,7 @@ use crate::accel::bvh::build::flat::Node;
 /// Opening the largest child fills the upper nodes, and what is left for the lower ones are odd ends: they have four
 /// children on average, and are nearly twice as many. Here each subtree says first what it costs as 1, 2, … 7 children of
 /// a node above it, from the leaves up; then the root divides eight places between its two subtrees, each of them its
-/// places between its own, and so on (dynamic programming; Pinter 2010, Ylitie, Karras and Laine 2017).
+/// places between its own, and so on (dynamic programming; Susano Pinto 2010, Ylitie, Karras and Laine 2017).
 pub fn collapse(nodes: &[Node]) -> Vec<Family> {
     let prices = prices(nodes);
     let mut families = Vec::new();

@@ -25,7 +25,7 @@ pub fn halton(n: usize, rng: &mut Pcg) -> Vec<Vec2> {
 
 // ANCHOR: radical_inverse
 /// The radical inverse φ_b(i): the digits of i in the base b, mirrored at the point; 6 = 110₂ becomes 0.011₂ = 3/8 (van der
-/// Corput 1935). `base` is at least 2.
+/// Corput's sequence). `base` is at least 2.
 ///
 /// Of any bᵏ consecutive numbers, there is one in each of bᵏ equal parts of [0, 1).
 ///

@@ -1,6 +1,7 @@
 //! The bibliography: all that lessons recommend, with the same title, and found at the same place.
 
 use super::{page, pages};
+use raybook_common::source::rust_files;
 
 #[test]
 fn what_a_lesson_recommends_is_in_the_bibliography() {
@@ -108,4 +109,72 @@ fn found_at(work: &str) -> Option<&str> {
     }
     let isbn = work.split_once("ISBN ")?.1;
     isbn.split(['.', ' ']).next()
+}
+
+/// Years of the library's comments that name no work: standards and laws.
+const NO_WORK: [(&str, &str); 3] = [
+    ("image/spectrum.rs", "1931"),
+    ("scene/cornell.rs", "1931"),
+    ("light/black_body.rs", "1900"),
+];
+
+#[test]
+fn what_the_library_cites_is_in_the_bibliography() {
+    let bibliography = page("bibliography.md");
+    let works = bibliography.lines().filter_map(|line| {
+        let (made, _) = line.strip_prefix("- ")?.split_once(": ")?;
+        made.rsplit_once(", ")
+    });
+    let works: Vec<_> = works.collect();
+    let known = |names: &[&str], year: &str| {
+        let of_year = works.iter().filter(|(_, of)| *of == year);
+        of_year
+            .flat_map(|(authors, _)| authors.split([' ', ',']))
+            .any(|author| names.contains(&author))
+    };
+    let mut cited = 0;
+    for (file, source) in rust_files("src") {
+        let comments = source
+            .lines()
+            .filter_map(|line| line.trim_start().strip_prefix("//"));
+        let text: String = comments
+            .flat_map(|line| [line.trim_start_matches(['/', '!']), " "])
+            .collect();
+        for (place, year) in years(&text) {
+            if NO_WORK.contains(&(file.as_str(), year)) {
+                continue;
+            }
+            // The names stand before the year, and perhaps a title in quotation marks.
+            let part = text[..place]
+                .rsplit(['(', ';'])
+                .find(|part| !part.trim().is_empty());
+            let names = part.unwrap_or_default().split('"').step_by(2);
+            let names: Vec<_> = names
+                .flat_map(|names| names.split([' ', ',']))
+                .map(|name| name.trim_end_matches("'s"))
+                .filter(|name| name.starts_with(char::is_uppercase))
+                .collect();
+            if names.is_empty() {
+                continue;
+            }
+            assert!(
+                known(&names, year),
+                "book/src/bibliography.md lacks a work of {year} that src/{file} names: {names:?}"
+            );
+            cited += 1;
+        }
+    }
+    assert!(cited > 100, "{cited} citations were looked up");
+}
+
+/// The years from 1600 to 2099 in a text, with their places.
+fn years(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    let words = text.split(|c: char| !c.is_alphanumeric() && c != '.');
+    let years = words.map(|word| word.trim_end_matches('.')).filter(|word| {
+        let year = word
+            .parse::<u32>()
+            .is_ok_and(|year| (1600..2100).contains(&year));
+        word.len() == 4 && year
+    });
+    years.map(|year| (year.as_ptr() as usize - text.as_ptr() as usize, year))
 }

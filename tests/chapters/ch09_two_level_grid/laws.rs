@@ -2,12 +2,13 @@
 
 use crate::ch09_two_level_grid::valid;
 use crate::ch09_two_level_grid::whole::whole;
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use proptest::prelude::*;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::accel::{Accel, Tests, grid::Grid, list::List};
+use raybook::camera::Camera;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::scene::{soup::soup, stadium::stadium};
 use raybook_chapters::ch09_two_level_grid::{
     teapot_in_stadium::camera, teapot_in_stadium::two_levels,
@@ -20,16 +21,12 @@ use raybook_chapters::shared::{law::Reach, law::mean_tests};
 fn the_teapot_in_the_stadium_costs_a_fraction_of_what_it_costs_in_a_grid() {
     let stadium = stadium(4);
     let film = Film {
-        width: 48,
-        height: 30,
-        samples: 1,
-        seed: 0,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(48, 30, 1)
     };
     let camera = camera(film.aspect()).expect("it looks at the teapot");
     let cost = |tests: Tests| tests.boxes + tests.shapes;
-    let ray = |place| camera.ray_through(place);
+    let ray = |place| camera.ray(place, Vec2::ZERO);
     let grid = Grid::of_facets(stadium.mesh.facets());
     let grid = cost(heat(&film, ray, &grid).tests());
     let [usual, fine] = [Densities::USUAL.coarse, 1.0].map(|coarse| {

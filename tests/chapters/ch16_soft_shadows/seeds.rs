@@ -1,18 +1,15 @@
 //! The renderer with lights that have an extent, against itself with other random numbers, and with another choice of them.
 
 use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{
     Light, extent::LightSampling, rect_light::RectLight, sphere_light::SphereLight,
 };
 use raybook::render::local::{Local, Visibility};
-use raybook::render::{
-    film::{Film, SILENT},
-    shadow,
-    whitted::Whitted,
-};
+use raybook::render::{film::Film, shadow, whitted::Whitted};
 use raybook::shape::sphere::Sphere;
 use raybook_chapters::ch16_soft_shadows::posts;
 
@@ -44,14 +41,11 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
     let whitted = Whitted { local, depth: 1 };
     let batch = |seed: u64| {
         let film = Film {
-            width: 48,
-            height: 30,
-            samples: 4,
             seed,
             threads: 2,
-            progress: SILENT,
+            ..Film::new(48, 30, 4)
         };
-        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray_through(place), rng))
+        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng))
     };
     let batches: Vec<Image> = (first_seed..).take(BATCHES).map(batch).collect();
     Noisy::of(&batches.iter().collect::<Vec<_>>())

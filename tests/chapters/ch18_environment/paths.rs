@@ -1,17 +1,14 @@
 //! Paths under a sky: a scene of known radiance, two ways to choose directions, and two kinds of random numbers.
 
-use glam::{Vec3, vec3};
+use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
-use raybook::render::{
-    film::{Film, SILENT},
-    mis::Strategy,
-    path::Path,
-};
+use raybook::render::{film::Film, mis::Strategy, path::Path};
 use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
@@ -109,14 +106,11 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
     let scene = still_life(Box::new(Environment::new(skies::map(skies::overcast, 64))));
     let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, 1.6).expect("a camera");
     let path = path(Strategy::Both);
-    let ray = |at| camera.ray_through(at);
+    let ray = |at| camera.ray(at, Vec2::ZERO);
     let film = |seed, samples| Film {
-        width: 24,
-        height: 15,
-        samples,
         seed,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(24, 15, samples)
     };
     for samples in [1, 32] {
         let (mut by_chance, mut evenly) = (vec![], vec![]);

@@ -1,7 +1,8 @@
 //! A panorama lights what was never there as the scene itself would.
 
 use crate::ch20_panorama::{film, panorama, seen};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pose::Pose;
 use raybook::image::rgb::Rgb;
@@ -31,9 +32,10 @@ fn irradiance(normal: Dir3) -> f64 {
     };
     let camera = Fisheye::new(pose, Projection::Orthographic, 180.0, 1.0).expect("half a space");
     let picture = film(600, 600).sample(|place, _| {
-        let ray = camera.ray_through(place);
-        // Beside the disc: a negative number, which no radiance is.
-        ray.map_or(Rgb::gray(-1.0), |ray| seen(&scene, &ray))
+        if !camera.sees(place) {
+            return Rgb::gray(-1.0); // a number which no radiance is
+        }
+        seen(&scene, &camera.ray(place, Vec2::ZERO))
     });
     let lit = picture.pixels().iter().filter(|pixel| pixel.g >= 0.0);
     let (sum, count) = lit.fold((0.0, 0.0), |(sum, count), pixel| {

@@ -2,25 +2,27 @@
 
 use super::pattern;
 use glam::{Vec2, vec2};
+use rand::{Rng, RngExt};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::pcg::Pcg;
-use raybook::render::{
-    film::{Film, SILENT},
-    followed::Followed,
-    supersample,
-};
+use raybook::render::film::{Film, Progress};
+use raybook::render::{followed::Followed, supersample};
 use raybook::sample::filter::{Filter, Sample, pixel_average};
 use std::ops::ControlFlow;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 fn film(samples: usize) -> Film<'static> {
     Film {
-        width: 24,
-        height: 18,
-        samples,
         seed: 3,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(24, 18, samples)
+    }
+}
+
+fn by(samples: usize, filter: Filter) -> Film<'static> {
+    Film {
+        filter,
+        ..film(samples)
     }
 }
 
@@ -117,7 +119,7 @@ fn an_average_divides_by_the_weights() {
 fn a_white_wall_stays_white_by_every_filter_and_pattern() {
     for filter in Filter::ALL {
         let white =
-            supersample::filtered(&film(4), pattern("jittered"), &filter, |_, _| Rgb::WHITE);
+            supersample::supersample(&by(4, filter), pattern("jittered"), |_, _| Rgb::WHITE);
         let off = white
             .pixels()
             .iter()
@@ -129,9 +131,14 @@ fn a_white_wall_stays_white_by_every_filter_and_pattern() {
 
 #[test]
 fn the_box_filter_is_the_mean_of_the_pixels_own_samples() {
-    let ramp = |place: Vec2, _: &mut _| Rgb::new(place.x, place.y, place.x * place.y);
+    let ramp = |place: Vec2, _: &mut dyn Rng| Rgb::new(place.x, place.y, place.x * place.y);
     let mean = supersample::supersample(&film(9), pattern("jittered"), ramp);
-    let boxed = supersample::filtered(&film(9), pattern("jittered"), &Filter::BOX, ramp);
+    // As wide as the pixel, within rounding: the samples go the way of the wide filters.
+    let wide = Filter {
+        radius: 0.5 * (1.0 + f32::EPSILON),
+        ..Filter::BOX
+    };
+    let boxed = supersample::supersample(&by(9, wide), pattern("jittered"), ramp);
     for (one, other) in mean.pixels().iter().zip(boxed.pixels()) {
         let off = (one.r - other.r).abs().max((one.b - other.b).abs());
         assert!(off < 1e-5, "{one:?} and {other:?}");
@@ -140,8 +147,8 @@ fn the_box_filter_is_the_mean_of_the_pixels_own_samples() {
 
 #[test]
 fn wider_filters_blur_more_and_mitchell_overshoots() {
-    let edge = |place: Vec2, _: &mut _| Rgb::gray(f32::from(u8::from(place.x > 0.5)));
-    let of = |filter| supersample::filtered(&film(64), pattern("regular-grid"), &filter, edge);
+    let edge = |place: Vec2, _: &mut dyn Rng| Rgb::gray(f32::from(u8::from(place.x > 0.5)));
+    let of = |filter| supersample::supersample(&by(64, filter), pattern("regular-grid"), edge);
     let row = |filter| -> Vec<f32> { (0..24).map(|x| of(filter).at(x, 9).g).collect() };
     let grey = |row: &[f32]| row.iter().filter(|v| (0.02..0.98).contains(*v)).count();
     assert_eq!(grey(&row(Filter::BOX)), 0, "the edge is between two pixels");
@@ -160,10 +167,7 @@ fn wider_filters_blur_more_and_mitchell_overshoots() {
 
 #[test]
 fn one_thread_and_four_make_the_same_picture() {
-    let noise = |place: Vec2, rng: &mut raybook::math::pcg::Pcg| {
-        use rand::RngExt;
-        Rgb::gray(place.x + rng.random::<f32>())
-    };
+    let noise = |place: Vec2, rng: &mut dyn Rng| Rgb::gray(place.x + rng.random::<f32>());
     let with = |threads| Film { threads, ..film(4) };
     let one = supersample::supersample(&with(1), pattern("poisson-disk"), noise);
     let four = supersample::supersample(&with(4), pattern("poisson-disk"), noise);
@@ -179,9 +183,9 @@ fn a_filtered_picture_that_is_no_longer_wanted_places_no_more_points() {
     };
     let stopped = Film {
         progress: &|_| ControlFlow::Break(()),
-        ..film(1)
+        ..by(1, Filter::MITCHELL)
     };
-    let picture = supersample::filtered(&stopped, &points, &Filter::MITCHELL, |_, _| Rgb::WHITE);
+    let picture = supersample::supersample(&stopped, &points, |_, _| Rgb::WHITE);
     let placed = placed.into_inner();
     assert!(placed <= 16 * stopped.threads, "{placed} pixels");
     let drawn = picture.pixels().iter().filter(|p| **p != Rgb::BLACK);
@@ -194,26 +198,31 @@ fn every_pixel_may_have_points_of_its_own() {
     let right = |x: usize| 2 * x >= film(1).width;
     let points =
         |x: usize, _: usize, _: &mut Pcg| vec![Vec2::splat(0.5); if right(x) { 4 } else { 1 }];
-    let counted = |_: Vec2, _: &mut Pcg| Followed {
+    let counted = |_: Vec2, _: &mut dyn Rng| Followed {
         radiance: Rgb::WHITE,
         rays: 1,
     };
     let rays = AtomicUsize::new(0);
-    let film = Film {
-        progress: &|done| {
-            rays.fetch_add(done.rays as usize, Ordering::Relaxed);
-            ControlFlow::Continue(())
-        },
+    let count: &Progress = &|done| {
+        rays.fetch_add(done.rays as usize, Ordering::Relaxed);
+        ControlFlow::Continue(())
+    };
+    let boxed = Film {
+        progress: count,
         ..film(1)
     };
-    let expected = film.height
-        * (0..film.width)
+    let tent = Film {
+        filter: Filter::TENT,
+        ..boxed
+    };
+    let expected = boxed.height
+        * (0..boxed.width)
             .map(|x| if right(x) { 4 } else { 1 })
             .sum::<usize>();
     let check = |picture: Image| {
         assert_eq!(rays.swap(0, Ordering::Relaxed), expected);
         assert!(picture.pixels().iter().all(|p| *p == Rgb::WHITE));
     };
-    check(supersample::supersample(&film, &points, counted));
-    check(supersample::filtered(&film, &points, &Filter::BOX, counted));
+    check(supersample::supersample(&boxed, &points, counted));
+    check(supersample::supersample(&tent, &points, counted));
 }

@@ -4,18 +4,15 @@ use glam::{Vec2, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::interval::Interval;
-use raybook::render::film::{Film, SILENT};
+use raybook::render::film::Film;
 use raybook::shape::{Shape, sphere::Sphere};
 
 /// A real picture: a shaded sphere before a sky that changes slowly.
 pub(super) fn rendered() -> Image {
     let film = Film {
-        width: 96,
-        height: 54,
-        samples: 4,
         seed: 1,
         threads: 1,
-        progress: SILENT,
+        ..Film::new(96, 54, 4)
     };
     let camera = Pinhole::look_at(
         vec3(0.5, 0.8, 4.0),

@@ -2,13 +2,14 @@
 
 use crate::ch19_depth_of_field::camera;
 use glam::{DVec2, Vec2, dvec2, vec2};
+use raybook::camera::Camera;
 use raybook::camera::aperture::Aperture;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::point::PointLight;
 use raybook::math::interval::Interval;
-use raybook::render::film::{Film, SILENT};
-use raybook::render::{glints::add_glints, through_lens::through_lens};
+use raybook::render::film::Film;
+use raybook::render::glints::add_glints;
 use raybook::shape::{Shape, sphere::Sphere};
 
 /// Pixels along a side of the film.
@@ -27,12 +28,9 @@ fn towards(depth: f32, f_number: f32, aperture: Aperture) -> ThinLens {
 
 fn film(samples: usize) -> Film<'static> {
     Film {
-        width: SIDE,
-        height: SIDE,
-        samples,
         seed: 19,
         threads: 2,
-        progress: SILENT,
+        ..Film::new(SIDE, SIDE, samples)
     }
 }
 
@@ -42,8 +40,9 @@ fn ball(camera: &ThinLens, depth: f32) -> (Image, f64) {
     let radius = 0.1 * shadow;
     let center = camera.view.focal_point + depth * *camera.view.forward;
     let sphere = Sphere::new(center, radius);
-    let picture = through_lens(&film(256), camera, |ray, _| {
-        Rgb::gray(f32::from(sphere.hit(ray, Interval::AHEAD).is_some()))
+    let picture = film(256).evenly(|place, numbers| {
+        let ray = camera.ray(place, numbers.pair());
+        Rgb::gray(f32::from(sphere.hit(&ray, Interval::AHEAD).is_some()))
     });
     (
         picture,

@@ -18,7 +18,7 @@ fn a_tiny_hole_sees_what_the_pin_hole_sees() {
     let pinhole = at(f32::INFINITY, 2.0);
     for film in [vec2(0.5, 0.5), vec2(0.0, 0.0), vec2(0.9, 0.2)] {
         for lens in [vec2(0.1, 0.9), vec2(0.7, 0.7)] {
-            let (ray, expected) = (pinhole.ray(film, lens), pinhole.view.ray_through(film));
+            let (ray, expected) = (pinhole.ray(film, lens), pinhole.view.ray(film, Vec2::ZERO));
             assert_eq!(ray.origin, expected.origin, "it starts in the hole");
             assert!(
                 ray.direction.distance(*expected.direction) < 1e-6,
@@ -31,7 +31,7 @@ fn a_tiny_hole_sees_what_the_pin_hole_sees() {
 #[test]
 fn the_film_moves_back_when_the_focus_comes_nearer() {
     let height = |focus| {
-        let top = at(2.0, focus).ray_through(vec2(0.5, 0.0), Vec2::ZERO);
+        let top = at(2.0, focus).refracted(vec2(0.5, 0.0), Vec2::ZERO);
         top.direction.y / -top.direction.z
     };
     assert!(
@@ -52,7 +52,7 @@ proptest! {
     ) {
         let camera = at(f_number, focus);
         let film = vec2(x, y);
-        let (ray, central) = (camera.ray(film, vec2(u, v)), camera.ray_through(film, Vec2::ZERO));
+        let (ray, central) = (camera.ray(film, vec2(u, v)), camera.refracted(film, Vec2::ZERO));
         let on_plane = |ray: raybook::math::ray::Ray| ray.at(focus / ray.direction.dot(*camera.view.forward));
         let (a, b) = (on_plane(ray), on_plane(central));
         let off = ray.origin - camera.view.focal_point;
@@ -69,7 +69,7 @@ proptest! {
     ) {
         let camera = at(1.4, focus);
         let (film, on_lens) = (vec2(x, y), camera.aperture.point(vec2(u, v)));
-        let ray = camera.ray_through(film, on_lens);
+        let ray = camera.refracted(film, on_lens);
         let back = camera.arrival(ray.at(t), on_lens).expect("it is in front");
         prop_assert!(back.film.distance(film) < 1e-4, "{film} went to {}", back.film);
         prop_assert!(back.ray.origin == ray.origin, "from the same point of the lens");

@@ -8,20 +8,15 @@ use raybook::camera::aperture::Aperture;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::ray::Ray;
-use raybook::render::{
-    film::{Film, SILENT},
-    through_lens::through_lens,
-};
+use raybook::render::film::Film;
+use raybook::sample::even::Even;
 use raybook_common::statistics::Mean;
 
 fn film(samples: usize, seed: u64, threads: usize) -> Film<'static> {
     Film {
-        width: 24,
-        height: 16,
-        samples,
         seed,
         threads,
-        progress: SILENT,
+        ..Film::new(24, 16, samples)
     }
 }
 
@@ -30,6 +25,15 @@ const PLANE: Vec2 = vec2(0.0018, 0.0012);
 
 fn lens() -> ThinLens {
     camera(PLANE, 2.0, 2.0, Aperture::Round)
+}
+
+/// What a lens sees with low-discrepancy numbers.
+fn through_lens(
+    film: &Film,
+    camera: &ThinLens,
+    see: impl Fn(&Ray, &mut Even) -> Rgb + Sync,
+) -> Image {
+    film.evenly(|place, numbers| see(&camera.ray(place, numbers.pair()), numbers))
 }
 
 /// Stripes far behind the plane in focus.

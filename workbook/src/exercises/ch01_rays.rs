@@ -3,6 +3,7 @@
 use crate::exercise::exercises;
 use crate::record::row;
 use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::{dir3::Dir3, ray::Ray};
 
@@ -53,7 +54,7 @@ exercises! { ($) ch01_rays
             focal_length,
             plane,
         };
-        camera.ray_through(film).into()
+        camera.ray(film, Vec2::ZERO).into()
     }
 }
 

@@ -3,6 +3,7 @@
 use crate::exercise::exercises;
 use crate::exercises::ch01_rays::CameraRayAnswer;
 use glam::{Vec2, Vec3, vec2};
+use raybook::camera::Camera;
 use raybook::camera::aperture::Aperture;
 use raybook::camera::lens::Lens;
 use raybook::camera::pinhole::Pinhole;
@@ -66,8 +67,8 @@ exercises! { ($) ch19_depth_of_field
         };
         let camera = ThinLens::new(&body, f_number, focus, Aperture::Round);
         camera.map_or_else(
-            |_| body.ray_through(film).into(),
-            |camera| camera.ray_through(film, on_lens).into(),
+            |_| body.ray(film, Vec2::ZERO).into(),
+            |camera| camera.refracted(film, on_lens).into(),
         )
     }
 

@@ -3,6 +3,7 @@
 use crate::exercise::exercises;
 use crate::exercises::ch01_rays::CameraRayAnswer;
 use glam::{Vec2, Vec3};
+use raybook::camera::Camera;
 use raybook::camera::{panorama::Panorama, pose::Pose};
 use raybook::math::dir3::Dir3;
 
@@ -31,6 +32,6 @@ exercises! { ($) ch20_panorama
             right,
             up,
         };
-        Panorama { pose }.ray_through(film).into()
+        Panorama { pose }.ray(film, Vec2::ZERO).into()
     }
 }

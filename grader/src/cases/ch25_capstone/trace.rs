@@ -2,8 +2,9 @@
 
 use super::slip::{Slip, answer};
 use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
-use glam::{Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
+use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::rgb::Rgb;
 use raybook::light::point::PointLight;
@@ -42,7 +43,7 @@ fn pixel<const N: usize>(x: u32, y: u32) -> Trace {
     let camera = Pinhole::look_at(from, to, Vec3::Y, staged.focal_length, ASPECT);
     Trace {
         depth: staged.depth,
-        ray: camera.expect("a stage has a view").ray_through(film),
+        ray: camera.expect("a stage has a view").ray(film, Vec2::ZERO),
         scene: (staged.scene)(),
     }
 }

@@ -6,7 +6,9 @@
 
 use clap::Parser;
 use raybook::image::{Image, file, rms::rms};
+use raybook::store;
 use std::error::Error;
+use std::fmt::Write;
 use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::thread::sleep;
@@ -62,7 +64,7 @@ fn main() -> Result<(), Box<dyn Error>> {
                 let (time, picture) = draw(options.width, samples, 1)?;
                 let error = f64::from(rms(&reference, &picture, |_, _| true));
                 let time = (time - start).max(TICK);
-                csv += &format!("{chapter},{name},{samples},{time:.2},{error:.5}\n");
+                writeln!(csv, "{chapter},{name},{samples},{time:.2},{error:.5}")?;
                 curve.push(Point { time, error });
             }
             curves.push(curve);
@@ -74,7 +76,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             "{chapter}, {:.2}, {:.4}, {now:.4}, {ratio:.2}",
             then.time, then.error
         );
-        std::fs::write(options.folder.join("noise.csv"), &csv)?;
+        store::write(&options.folder.join("noise.csv"), csv.as_bytes())?;
     }
     Ok(())
 }

@@ -37,6 +37,14 @@ fn agree(mesh: &Mesh) -> usize {
         let part = Vec3::from(rng.random::<[f32; 3]>()) - 0.5;
         bounds.center() + spread * part * bounds.size()
     };
+    for origin in [f32::NAN, f32::INFINITY, f32::NEG_INFINITY].map(Vec3::splat) {
+        let nowhere = Ray::new(origin, Dir3::X);
+        assert!(
+            trees
+                .iter()
+                .all(|tree| !tree.any(&nowhere, Interval::AHEAD))
+        );
+    }
     let mut hits = 0;
     for _ in 0..RAYS {
         let (from, to) = (place(3.0), place(1.0));

@@ -144,10 +144,10 @@ fn teapot(criterion: &mut Criterion) {
 const ROUNDS: usize = 15;
 
 /// Time on the wall and processor time of all threads, in seconds.
-fn time(work: impl FnOnce()) -> [f64; 2] {
+fn time<T>(work: impl FnOnce() -> T) -> [f64; 2] {
     let processor = || clock_gettime(ClockId::ProcessCPUTime);
     let (begin, wall) = (processor(), Instant::now());
-    work();
+    black_box(work());
     let (end, wall) = (processor(), wall.elapsed());
     let nanoseconds = (end.tv_nsec - begin.tv_nsec) as f64;
     let seconds = (end.tv_sec - begin.tv_sec) as f64;
@@ -169,14 +169,7 @@ fn two_threads(_: &mut Criterion) {
             threads,
             ..Film::new(4 * EDGE, 4 * EDGE, SAMPLES)
         };
-        time(|| {
-            drop(black_box(film.render(
-                &camera,
-                &Sampler::Even,
-                &Path::WHOLE,
-                &scene,
-            )))
-        })
+        time(|| film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene))
     };
     let rounds: Vec<_> = (0..ROUNDS).map(|_| [1, 2].map(draw)).collect();
     let figure = |of: fn(&[[f64; 2]; 2]) -> f64| median(rounds.iter().map(of).collect());
@@ -252,7 +245,7 @@ fn beside_the_accelerator(_: &mut Criterion) {
             black_box(things(&scene).any(ray, *within));
         }
     };
-    let ratio = |_| time(|| drop(black_box(draw(&scene))))[1] / time(search)[1];
+    let ratio = |_| time(|| draw(&scene))[1] / time(search)[1];
     let ratio = median((0..ROUNDS).map(ratio).collect());
     let paths = (EDGE * EDGE * SAMPLES) as f64;
     println!(

@@ -31,8 +31,12 @@ struct Options {
     chapters: Vec<String>,
 }
 
-/// Samples per pixel.
-const SAMPLES: [u32; 4] = [4, 8, 16, 32];
+/// Samples per pixel of the older commit.
+const THEN: u32 = 16;
+
+/// Least samples per pixel of this commit. They are doubled until the time is that of the older one, but not beyond half of the
+/// reference's.
+const NOW: u32 = 4;
 
 /// The seed of the reference; that of the others is 1.
 const REFERENCE_SEED: u32 = 1000;
@@ -49,28 +53,25 @@ fn main() -> Result<(), Box<dyn Error>> {
     let mut csv = String::from("chapter,commit,samples,seconds,error\n");
     println!("chapter, seconds, error then, error now, ratio");
     for chapter in &options.chapters {
-        let mut curves = vec![];
-        for name in ["then", "now"] {
-            let program = options
-                .folder
-                .join(name)
-                .join("target/release")
-                .join(chapter);
-            let draw = |width, samples, seed| draw(&program, width, samples, seed);
-            let (_, reference) = draw(options.width, options.reference, REFERENCE_SEED)?;
-            let (start, _) = draw(8, 1, 1)?;
-            let mut curve = vec![];
-            for samples in SAMPLES {
-                let (time, picture) = draw(options.width, samples, 1)?;
-                let error = f64::from(rms(&reference, &picture, |_, _| true));
-                let time = (time - start).max(TICK);
-                writeln!(csv, "{chapter},{name},{samples},{time:.2},{error:.5}")?;
-                curve.push(Point { time, error });
+        let then = Subject::new("then", chapter, &options)?;
+        let now = Subject::new("now", chapter, &options)?;
+        let mut record = |subject: &Subject, samples| {
+            let Point { time, error } = subject.point(samples)?;
+            let name = subject.name;
+            writeln!(csv, "{chapter},{name},{samples},{time:.2},{error:.5}")?;
+            Ok::<_, Box<dyn Error>>(Point { time, error })
+        };
+        let then = record(&then, THEN)?;
+        let mut curve = vec![record(&now, NOW)?];
+        let mut samples = NOW;
+        while curve.len() < 2 || curve[curve.len() - 1].time < then.time {
+            samples *= 2;
+            if samples > options.reference / 2 {
+                break;
             }
-            curves.push(curve);
+            curve.push(record(&now, samples)?);
         }
-        let then = curves[0][SAMPLES.len() / 2];
-        let now = error_at(&curves[1], then.time);
+        let now = error_at(&curve, then.time);
         let ratio = now / then.error;
         println!(
             "{chapter}, {:.2}, {:.4}, {now:.4}, {ratio:.2}",
@@ -81,13 +82,54 @@ fn main() -> Result<(), Box<dyn Error>> {
     Ok(())
 }
 
-/// The error after so much time: on the straight line through the two nearest points, both axes logarithmic.
+/// One commit's binary of a chapter.
+struct Subject {
+    name: &'static str,
+    program: PathBuf,
+    width: u32,
+    reference: Image,
+    /// The time of a picture of 8 pixels.
+    start: f64,
+}
+
+impl Subject {
+    fn new(name: &'static str, chapter: &str, options: &Options) -> Result<Self, Box<dyn Error>> {
+        let program = options
+            .folder
+            .join(name)
+            .join("target/release")
+            .join(chapter);
+        let (_, reference) = draw(&program, options.width, options.reference, REFERENCE_SEED)?;
+        let (start, _) = draw(&program, 8, 1, 1)?;
+        Ok(Self {
+            name,
+            program,
+            width: options.width,
+            reference,
+            start,
+        })
+    }
+
+    fn point(&self, samples: u32) -> Result<Point, Box<dyn Error>> {
+        let (time, picture) = draw(&self.program, self.width, samples, 1)?;
+        Ok(Point {
+            time: (time - self.start).max(TICK),
+            error: rms(&self.reference, &picture, |_, _| true).into(),
+        })
+    }
+}
+
+/// The error after so much time: on the straight line through the last two points, both axes logarithmic; that of the last point,
+/// if its time is less.
 fn error_at(curve: &[Point], time: f64) -> f64 {
-    let after = curve.iter().position(|point| point.time > time);
-    let i = after.unwrap_or(curve.len() - 1).max(1);
-    let [a, b] = [curve[i - 1], curve[i]];
-    let along = (time / a.time).ln() / (b.time / a.time).ln();
-    a.error * (b.error / a.error).powf(along)
+    match *curve {
+        [.., a, b] if a.time < b.time => {
+            let along = (time / a.time).ln() / (b.time / a.time).ln();
+            a.error * (b.error / a.error).powf(along.clamp(0.0, 1.0))
+        }
+        [.., b] => b.error,
+        [] => f64::NAN,
+    }
 }
 
 /// The shortest time that the system counts, in seconds.

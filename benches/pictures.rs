@@ -1,15 +1,23 @@
 //! What a whole picture costs: camera, sampler, paths, materials, lights and accelerators together. `cargo bench --bench pictures`
 //!
 //! Five small pictures on one thread, eight paths per pixel; the figure is paths per second. `benches/accel.rs` and
-//! `benches/hits.rs` measure the parts.
+//! `benches/hits.rs` measure the parts. Then two lines: the share of the accelerator in the Cornell box, and how much faster two
+//! threads are than one.
 
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rand::RngExt;
+use raybook::inside::scene::things;
+use raybook::light::{LightHit, LightSample};
+use raybook::material::Material;
 use raybook::math::pcg;
 use raybook::prelude::*;
+use raybook::render::shadow::shadow_ray;
 use raybook::scene::cornell;
 use raybook::shape::teapot;
-use std::time::Duration;
+use rustix::time::{ClockId, clock_gettime};
+use std::hint::black_box;
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::{Duration, Instant};
 
 /// Edge of a picture in pixels.
 const EDGE: usize = 64;
@@ -132,5 +140,128 @@ fn teapot(criterion: &mut Criterion) {
     bench(criterion, "teapot", &view(eye, bounds.center()), &scene);
 }
 
-criterion_group!(benches, boxes, many_balls, outdoors, teapot);
+/// Rounds of what is measured without criterion; the medians count.
+const ROUNDS: usize = 15;
+
+/// Time on the wall and processor time of all threads, in seconds.
+fn time<T>(work: impl FnOnce() -> T) -> [f64; 2] {
+    let processor = || clock_gettime(ClockId::ProcessCPUTime);
+    let (begin, wall) = (processor(), Instant::now());
+    black_box(work());
+    let (end, wall) = (processor(), wall.elapsed());
+    let nanoseconds = (end.tv_nsec - begin.tv_nsec) as f64;
+    let seconds = (end.tv_sec - begin.tv_sec) as f64;
+    [wall.as_secs_f64(), seconds + 1e-9 * nanoseconds]
+}
+
+fn median(mut times: Vec<f64>) -> f64 {
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Two threads against one, at the Cornell box. The figure says something only where two processors were free: where the second
+/// picture took twice as much processor time as time on the wall.
+fn two_threads(_: &mut Criterion) {
+    let camera = view(cornell::EYE, vec3(0.278, 0.273, 0.0));
+    let scene = cornell::cornell_box();
+    let draw = |threads| {
+        let film = Film {
+            threads,
+            ..Film::new(4 * EDGE, 4 * EDGE, SAMPLES)
+        };
+        time(|| film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene))
+    };
+    let rounds: Vec<_> = (0..ROUNDS).map(|_| [1, 2].map(draw)).collect();
+    let figure = |of: fn(&[[f64; 2]; 2]) -> f64| median(rounds.iter().map(of).collect());
+    println!(
+        "two threads: {:.2} times as fast as one, with {:.2} processors at work",
+        figure(|[[one, _], [two, _]]| one / two),
+        figure(|[_, [wall, processor]]| processor / wall),
+    );
+}
+
+/// The rays to surfaces, and those to lights.
+type Rays = Arc<Mutex<(Vec<Ray>, Vec<(Ray, Interval)>)>>;
+
+/// A lamp or a paint that keeps the rays which it is asked about.
+struct Keeping<T>(T, Rays);
+
+impl Light for Keeping<RectLight> {
+    fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample> {
+        self.0.sample(at, u)
+    }
+
+    fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
+        self.1
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner)
+            .0
+            .push(*ray);
+        self.0.seen(ray, farthest)
+    }
+}
+
+impl Material for Keeping<Arc<dyn Material>> {
+    fn eval(&self, at: &Surface, view: Dir3, toward: Dir3) -> Rgb {
+        self.0.eval(at, view, toward)
+    }
+
+    fn lit(&self, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
+        let lit = self.0.lit(at, view, light);
+        if lit != Rgb::BLACK {
+            let mut rays = self.1.lock().unwrap_or_else(PoisonError::into_inner);
+            rays.1.push(shadow_ray(at, light));
+        }
+        lit
+    }
+}
+
+/// What a path of the Cornell box costs, against the searches for its rays alone.
+fn beside_the_accelerator(_: &mut Criterion) {
+    let camera = view(cornell::EYE, vec3(0.278, 0.273, 0.0));
+    let (scene, rays) = (cornell::cornell_box(), Rays::default());
+    let film = Film {
+        threads: 1,
+        ..Film::new(EDGE, EDGE, SAMPLES)
+    };
+    let draw = |scene: &Scene| film.render(&camera, &Sampler::Even, &Path::WHOLE, scene);
+    let keeping = things(&scene).shapes().iter().map(|thing| Thing {
+        shape: thing.shape.clone(),
+        material: Arc::new(Keeping(thing.material.clone(), rays.clone())),
+    });
+    let lamp = Box::new(Keeping(cornell::lamp(), rays.clone()));
+    let kept = draw(&Scene::new(keeping.collect(), vec![lamp]));
+    assert!(
+        kept.same_bits(&draw(&scene)),
+        "the rays are those of the scene"
+    );
+
+    let rays = rays.lock().unwrap_or_else(PoisonError::into_inner);
+    let search = || {
+        for ray in &rays.0 {
+            black_box(things(&scene).closest(ray, Interval::AHEAD));
+        }
+        for (ray, within) in &rays.1 {
+            black_box(things(&scene).any(ray, *within));
+        }
+    };
+    let ratio = |_| time(|| draw(&scene))[1] / time(search)[1];
+    let ratio = median((0..ROUNDS).map(ratio).collect());
+    let paths = (EDGE * EDGE * SAMPLES) as f64;
+    println!(
+        "Cornell box: a path, with {:.2} rays to surfaces and {:.2} to the lamp, costs {ratio:.2} times as much as their searches",
+        rays.0.len() as f64 / paths,
+        rays.1.len() as f64 / paths,
+    );
+}
+
+criterion_group!(
+    benches,
+    boxes,
+    many_balls,
+    outdoors,
+    teapot,
+    two_threads,
+    beside_the_accelerator
+);
 criterion_main!(benches);

@@ -191,3 +191,14 @@ pub mod wide_bvh {
         wide_bvh::eight_boxes(boxes, ray, within)
     }
 }
+
+/// Internals of [`Scene`](crate::scene::world::Scene).
+pub mod scene {
+    use crate::accel::bvh::Bvh;
+    use crate::scene::world::{Scene, Thing};
+
+    /// The tree over the things, which every ray searches.
+    pub fn things(scene: &Scene) -> &Bvh<Thing> {
+        scene.things()
+    }
+}

@@ -2,7 +2,7 @@
 //! leaf gets eight triangles. The tree becomes a third as high, and a search more than twice as fast.
 //!
 //! New: accel/wide_bvh/mod.rs accel/wide_bvh/avx2.rs accel/wide_bvh/avx512.rs accel/wide_bvh/batch.rs accel/wide_bvh/build.rs
-//! New: accel/wide_bvh/collapse.rs accel/wide_bvh/kernel.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
+//! New: accel/wide_bvh/collapse.rs accel/wide_bvh/fours.rs accel/wide_bvh/kernel.rs accel/wide_bvh/lanes.rs accel/wide_bvh/nearest.rs accel/wide_bvh/node.rs
 //! New: accel/wide_bvh/optimal.rs accel/wide_bvh/portable.rs accel/wide_bvh/ray.rs accel/wide_bvh/search.rs
 //! New: accel/wide_bvh/refit.rs accel/wide_bvh/stack.rs accel/wide_bvh/tree.rs accel/wide_bvh/validate.rs accel/wide_bvh/walk.rs
 

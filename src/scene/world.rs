@@ -117,6 +117,11 @@ impl Scene {
         })
     }
 
+    /// The tree over the things.
+    pub(crate) fn things(&self) -> &Bvh<Thing> {
+        &self.things
+    }
+
     /// Whether a thing is hit within an interval of a ray.
     pub fn blocks(&self, ray: &Ray, within: Interval) -> bool {
         self.things.any(ray, within)

@@ -92,6 +92,11 @@ impl<S: Shape> Bvh<S> {
         (self.root.as_ref(), &self.pairs)
     }
 
+    /// The shapes with finite boxes, in the order of the leaves.
+    pub fn shapes(&self) -> &[S] {
+        &self.shapes
+    }
+
     /// The expected cost of a search by the surface-area heuristic, in tests: testing a pair of boxes costs 1, and testing a
     /// shape costs 1.
     pub fn sah_cost(&self) -> f32 {

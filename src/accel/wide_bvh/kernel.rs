@@ -4,6 +4,7 @@
 use super::avx2::Avx2;
 #[cfg(target_arch = "x86_64")]
 use super::avx512::Avx512;
+use super::fours::Fours;
 use super::lanes::Work;
 use super::portable::Portable;
 
@@ -14,6 +15,7 @@ pub struct Kernel(Choice);
 #[derive(Clone, Copy, Debug)]
 enum Choice {
     Portable,
+    Fours(&'static str),
     #[cfg(target_arch = "x86_64")]
     Avx2(Avx2),
     #[cfg(target_arch = "x86_64")]
@@ -33,14 +35,16 @@ impl Kernel {
         ];
         #[cfg(not(target_arch = "x86_64"))]
         let special = [None];
-        let special = special.into_iter().flatten().map(Self);
-        special.chain([Self::PORTABLE]).collect()
+        let fours = Fours::NAME.map(Choice::Fours);
+        let fast = special.into_iter().chain([fours]).flatten().map(Self);
+        fast.chain([Self::PORTABLE]).collect()
     }
 
     /// What these instructions are called.
     pub fn name(self) -> &'static str {
         match self.0 {
             Choice::Portable => "portable",
+            Choice::Fours(name) => name,
             #[cfg(target_arch = "x86_64")]
             Choice::Avx2(_) => "AVX2",
             #[cfg(target_arch = "x86_64")]
@@ -53,6 +57,7 @@ impl Kernel {
     pub(super) fn run<W: Work>(self, work: W) -> W::Answer {
         match self.0 {
             Choice::Portable => Portable.run(work),
+            Choice::Fours(_) => Fours.run(work),
             #[cfg(target_arch = "x86_64")]
             Choice::Avx2(avx2) => avx2.run(work),
             #[cfg(target_arch = "x86_64")]

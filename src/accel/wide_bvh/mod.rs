@@ -23,6 +23,7 @@ mod avx512;
 mod batch;
 pub(crate) mod build;
 pub(crate) mod collapse;
+mod fours;
 mod kernel;
 mod lanes;
 mod nearest;

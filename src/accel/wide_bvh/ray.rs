@@ -46,8 +46,10 @@ impl WideRay {
     pub(super) fn new(ray: &Ray, min: f32, largest: Vec3A) -> Self {
         let (o, d) = (Vec3A::from(ray.origin), Vec3A::from(*ray.direction));
         let inverse = d.abs().max(Vec3A::splat(LEAST)).copysign(d).recip();
-        // Finite, whatever the origin: −o/d ± pad must not be ∞ − ∞.
-        let finite = |v: Vec3A| v.max(Vec3A::splat(f32::MIN)).min(Vec3A::MAX);
+        // Finite, whatever the origin: −o/d ± pad must not be ∞ − ∞. NaN becomes the least number here, and not by `max`: what
+        // that makes of NaN differs between processors.
+        let least = Vec3A::splat(f32::MIN);
+        let finite = |v: Vec3A| Vec3A::select(v.is_nan_mask(), least, v).clamp(least, Vec3A::MAX);
         let middle = -o * inverse;
         let pad = (ROUNDINGS * 0.5 * f32::EPSILON) * (largest + o.abs()) * inverse.abs();
         let shear = Shear::along(ray);

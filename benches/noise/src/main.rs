@@ -1,0 +1,184 @@
+//! The noise of two programs' pictures at equal processor time. `benches/noise/run` builds the programs and starts this.
+//!
+//! Each program draws each picture with few samples and with many more, its reference. The error is the RMS difference of the
+//! two as a display shows them. Scenes have changed between the commits, so each picture is compared with the reference of its
+//! own program. The time is the processor time of all threads until the picture is written, less that of a picture of 8 pixels.
+
+use clap::Parser;
+use raybook::image::{Image, file, rms::rms};
+use raybook::store;
+use std::error::Error;
+use std::fmt::Write;
+use std::path::{Path, PathBuf};
+use std::process::{Child, Command, Stdio};
+use std::thread::sleep;
+use std::time::Duration;
+
+/// Compares the noise of two programs' pictures at equal time
+#[derive(Parser)]
+struct Options {
+    /// Width of the pictures, in pixels
+    #[arg(long, default_value_t = 240)]
+    width: u32,
+    /// Samples per pixel of the reference
+    #[arg(long, default_value_t = 1024)]
+    reference: u32,
+    /// The folder of both clones; noise.csv is written there
+    #[arg(long, default_value = "target/noise")]
+    folder: PathBuf,
+    /// Binaries of chapters
+    #[arg(required = true)]
+    chapters: Vec<String>,
+}
+
+/// Samples per pixel of the older commit.
+const THEN: u32 = 16;
+
+/// Least samples per pixel of this commit. They are doubled until the time is that of the older one, but not beyond half of the
+/// reference's.
+const NOW: u32 = 4;
+
+/// The seed of the reference; that of the others is 1.
+const REFERENCE_SEED: u32 = 1000;
+
+/// The time, in processor-seconds, and the error of a picture.
+#[derive(Clone, Copy)]
+struct Point {
+    time: f64,
+    error: f64,
+}
+
+fn main() -> Result<(), Box<dyn Error>> {
+    let options = Options::parse();
+    let mut csv = String::from("chapter,commit,samples,seconds,error\n");
+    println!("chapter, seconds, error then, error now, ratio");
+    for chapter in &options.chapters {
+        let then = Subject::new("then", chapter, &options)?;
+        let now = Subject::new("now", chapter, &options)?;
+        let mut record = |subject: &Subject, samples| {
+            let Point { time, error } = subject.point(samples)?;
+            let name = subject.name;
+            writeln!(csv, "{chapter},{name},{samples},{time:.2},{error:.5}")?;
+            Ok::<_, Box<dyn Error>>(Point { time, error })
+        };
+        let then = record(&then, THEN)?;
+        let mut curve = vec![record(&now, NOW)?];
+        let mut samples = NOW;
+        while curve.len() < 2 || curve[curve.len() - 1].time < then.time {
+            samples *= 2;
+            if samples > options.reference / 2 {
+                break;
+            }
+            curve.push(record(&now, samples)?);
+        }
+        let now = error_at(&curve, then.time);
+        let ratio = now / then.error;
+        println!(
+            "{chapter}, {:.2}, {:.4}, {now:.4}, {ratio:.2}",
+            then.time, then.error
+        );
+        store::write(&options.folder.join("noise.csv"), csv.as_bytes())?;
+    }
+    Ok(())
+}
+
+/// One commit's binary of a chapter.
+struct Subject {
+    name: &'static str,
+    program: PathBuf,
+    width: u32,
+    reference: Image,
+    /// The time of a picture of 8 pixels.
+    start: f64,
+}
+
+impl Subject {
+    fn new(name: &'static str, chapter: &str, options: &Options) -> Result<Self, Box<dyn Error>> {
+        let program = options
+            .folder
+            .join(name)
+            .join("target/release")
+            .join(chapter);
+        let (_, reference) = draw(&program, options.width, options.reference, REFERENCE_SEED)?;
+        let (start, _) = draw(&program, 8, 1, 1)?;
+        Ok(Self {
+            name,
+            program,
+            width: options.width,
+            reference,
+            start,
+        })
+    }
+
+    fn point(&self, samples: u32) -> Result<Point, Box<dyn Error>> {
+        let (time, picture) = draw(&self.program, self.width, samples, 1)?;
+        Ok(Point {
+            time: (time - self.start).max(TICK),
+            error: rms(&self.reference, &picture, |_, _| true).into(),
+        })
+    }
+}
+
+/// The error after so much time: on the straight line through the last two points, both axes logarithmic; that of the last point,
+/// if its time is less.
+fn error_at(curve: &[Point], time: f64) -> f64 {
+    match *curve {
+        [.., a, b] if a.time < b.time => {
+            let along = (time / a.time).ln() / (b.time / a.time).ln();
+            a.error * (b.error / a.error).powf(along.clamp(0.0, 1.0))
+        }
+        [.., b] => b.error,
+        [] => f64::NAN,
+    }
+}
+
+/// The shortest time that the system counts, in seconds.
+const TICK: f64 = 0.01;
+
+/// The processor time of a picture, and the picture. The program is stopped after it, before its other figures.
+fn draw(
+    program: &Path,
+    width: u32,
+    samples: u32,
+    seed: u32,
+) -> Result<(f64, Image), Box<dyn Error>> {
+    let folder = tempfile::tempdir()?;
+    let chapter = program.file_name().ok_or("a chapter's binary has a name")?;
+    let picture = folder.path().join(chapter).join("picture");
+    let numbers = [("--width", width), ("--samples", samples), ("--seed", seed)];
+    let mut child = Command::new(program)
+        .args(numbers.map(|(name, value)| format!("{name}={value}")))
+        .arg("--out")
+        .arg(folder.path())
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .spawn()?;
+    let drawn = wait(&mut child, &picture.with_extension("png"));
+    child.kill()?;
+    child.wait()?;
+    Ok((drawn?, file::load(&picture.with_extension("exr"))?))
+}
+
+/// Waits until a program has written a file; returns its processor time.
+fn wait(child: &mut Child, file: &Path) -> Result<f64, Box<dyn Error>> {
+    loop {
+        let time = processor_time(child.id())?;
+        if file.exists() {
+            return Ok(time);
+        }
+        if let Some(status) = child.try_wait()? {
+            return Err(format!("the chapter ended without a picture: {status}").into());
+        }
+        sleep(Duration::from_millis(5));
+    }
+}
+
+/// Processor time of a process, in seconds: fields 14 and 15 of its `stat` (proc(5)), after a name that ends with `)`.
+fn processor_time(process: u32) -> Result<f64, Box<dyn Error>> {
+    let stat = std::fs::read_to_string(format!("/proc/{process}/stat"))?;
+    let (_, fields) = stat.rsplit_once(") ").ok_or("no end of the name")?;
+    let mut fields = fields.split(' ').skip(11);
+    let mut ticks = || fields.next().and_then(|field| field.parse::<u64>().ok());
+    let (user, system) = ticks().zip(ticks()).ok_or("no times")?;
+    Ok((user + system) as f64 / rustix::param::clock_ticks_per_second() as f64)
+}

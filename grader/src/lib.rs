@@ -25,6 +25,7 @@ pub mod further;
 pub mod golden;
 pub mod hidden;
 pub mod json;
+pub mod jump;
 pub mod judge;
 pub mod keys;
 pub mod language;
@@ -43,6 +44,7 @@ pub mod passage;
 pub mod patterns;
 pub mod picture;
 pub mod prints;
+pub mod rare;
 pub mod progress;
 pub mod reader;
 pub mod recipe;
@@ -148,8 +150,9 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         true
     }
 
-    /// Whether answers take long to find: then a diagnosis does not try misread questions.
-    const SLOW: bool = false;
+    /// How many times as long it takes to find an answer as to read the question's numbers and to write the answer's. Above 1, a diagnosis does
+    /// not try misread questions, and fewer further questions are asked (see [`rare`]).
+    const EFFORT: usize = 1;
 
     /// The right answer to a question that was misread: what many a mistake comes down to.
     fn misread(question: &Self, how: impl FnOnce(&mut Self)) -> Self::Answer {

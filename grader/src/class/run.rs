@@ -7,6 +7,7 @@ use super::journal::Journal;
 use super::record::{Marked, Record, Standing};
 use super::stage::{self, Stage, Staged, Trouble};
 use crate::check::check_each;
+use crate::rare::Depth;
 use crate::examine::{Case, Examiner};
 use crate::mutex::{self, lock};
 use crate::picture::ask::Pixels;
@@ -199,6 +200,7 @@ impl Worker<'_> {
             &asked,
             limits,
             Pixels::FirstWrong,
+            Depth::Grade,
             &mut |report| {
                 let (examiner, _) = &asked[number];
                 number += 1;

@@ -186,7 +186,7 @@ impl Graded for OctreeBuild {
         one
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 10;
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {

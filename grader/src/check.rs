@@ -209,11 +209,18 @@ pub fn check_all(
     done: &dyn Fn(),
 ) -> io::Result<Vec<Report>> {
     let mut reports = Vec::new();
-    check_each(program, exercises, limits, pixels, Depth::Check, &mut |report| {
-        reports.push(report);
-        done();
-        true
-    })?;
+    check_each(
+        program,
+        exercises,
+        limits,
+        pixels,
+        Depth::Check,
+        &mut |report| {
+            reports.push(report);
+            done();
+            true
+        },
+    )?;
     Ok(reports)
 }
 

@@ -26,15 +26,12 @@ pub fn is_interval(part: &Part) -> bool {
     matches!(part.kind, Kind::Numbers(numbers) if numbers.parts == ["min", "max"])
 }
 
-/// The jumps of the answer just at a case's question. None are looked for where answers take long to find.
+/// The jumps of the answer just at a case's question. Where answers take long to find, they are looked for at the ends of intervals only.
 pub fn jumps(examiner: &dyn Examiner, case: &Case) -> Vec<Jump> {
     let asked = examiner.asked();
     let Ok(question) = asked.read_question(&case.question) else {
         return Vec::new();
     };
-    if examiner.limits().effort > 1 {
-        return Vec::new();
-    }
     let Ok(golden) = examiner.reference(&question) else {
         return Vec::new();
     };
@@ -48,8 +45,11 @@ pub fn jumps(examiner: &dyn Examiner, case: &Case) -> Vec<Jump> {
     let mut found = Vec::new();
     for leaf in layout(asked.question, &question).leaves {
         let Leaf { part, start, len } = leaf;
-        let is_real = !matches!(parts[part].kind, Kind::Whole);
-        for place in (start..start + len).filter(|&place| is_real && question[place].is_finite()) {
+        let is_moved = match parts[part].kind {
+            Kind::Whole => false,
+            _ => examiner.limits().effort == 1 || is_interval(&parts[part]),
+        };
+        for place in (start..start + len).filter(|&place| is_moved && question[place].is_finite()) {
             for step in [-STEP, STEP] {
                 if jumps_at(place, step) {
                     let excluded = (place == start) == (step < 0.0);

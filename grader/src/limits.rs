@@ -127,28 +127,36 @@ fn occurrence(rows: &[Row<'_>], what: &str, is_so: impl Fn(&Row<'_>) -> bool) ->
 fn of_jumps(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     let named = cases.iter().filter(|case| !case.is_random());
     let found: Vec<_> = named.map(|case| (case, jumps(examiner, case))).collect();
-    let names = |is_so: &dyn Fn(&Jump) -> bool| -> Vec<String> {
-        let such = found.iter().filter(|(_, jumps)| jumps.iter().any(is_so));
+    let names = |is_so: &dyn Fn(&[Jump]) -> bool| -> Vec<String> {
+        let such = found.iter().filter(|(_, jumps)| is_so(jumps));
         such.map(|(case, _)| format!("\"{}\"", case.name)).collect()
     };
     let mut said = Vec::new();
     let parts = parts(examiner.asked().question, "question");
     for (part, Part { name, .. }) in parts.iter().enumerate().filter(|(_, p)| is_interval(p)) {
-        let ends = [true, false].map(|excluded| names(&|jump| *jump == Jump::End { part, excluded }));
+        let ends = [true, false]
+            .map(|excluded| names(&|jumps| jumps.contains(&Jump::End { part, excluded })));
         for (names, counts) in ends.iter().zip(["does not count", "counts"]) {
             if !names.is_empty() {
                 let names = names.join(", ");
-                said.push(format!("What lies just at an end of `{name}` is asked, and {counts}: {names}."));
+                said.push(format!(
+                    "What lies just at an end of `{name}` is asked, and {counts}: {names}."
+                ));
             }
         }
         if ends.iter().all(Vec::is_empty) {
-            said.push(format!("Nothing is asked that hangs on whether an end of `{name}` counts."));
+            said.push(format!(
+                "Nothing is asked that hangs on whether an end of `{name}` counts."
+            ));
         }
     }
-    let others = names(&|jump| *jump == Jump::Elsewhere);
+    let others =
+        names(&|jumps| !jumps.is_empty() && jumps.iter().all(|jump| *jump == Jump::Elsewhere));
     if !others.is_empty() {
         let others = others.join(", ");
-        said.push(format!("Asked just at a threshold, where last digits of the question decide: {others}."));
+        said.push(format!(
+            "Asked just at a threshold, where last digits of the question decide: {others}."
+        ));
     }
     said
 }
@@ -160,18 +168,26 @@ fn of_several(cases: &[Case]) -> String {
     if names.is_empty() {
         return "No tie is asked that leaves a choice between answers.".to_owned();
     }
-    format!("Ties, where more than one answer is right, are asked: {}.", names.join(", "))
+    format!(
+        "Ties, where more than one answer is right, are asked: {}.",
+        names.join(", ")
+    )
 }
 
 /// What is asked of who is right in the cases.
 fn of_further(examiner: &dyn Examiner, cases: &[Case]) -> String {
-    let [check, grade] = [Depth::Check, Depth::Grade].map(|depth| examiner.rare_count(cases, depth));
+    let [check, grade] =
+        [Depth::Check, Depth::Grade].map(|depth| examiner.rare_count(cases, depth));
     let random = cases.iter().filter(|case| case.is_random()).count();
     let region = 100.0 * smallest_region(random + grade);
     let further = match (check, grade) {
         (_, 0) => "No further random questions are asked".to_owned(),
-        (0, _) => format!("Who is right in all cases is asked {grade} further random questions where a class is graded"),
-        _ => format!("Who is right in all cases is asked {check} further random questions, and {grade} where a class is graded"),
+        (0, _) => format!(
+            "Who is right in all cases is asked {grade} further random questions where a class is graded"
+        ),
+        _ => format!(
+            "Who is right in all cases is asked {check} further random questions, and {grade} where a class is graded"
+        ),
     };
     format!("{further}: a fault in {region:.1} % of all questions is then met with 95 %.")
 }

@@ -50,6 +50,9 @@ fn others(q: &Lit) -> Vec<Ball> {
 }
 
 impl Graded for Lit {
+    /// A ray that passes a ball closely loses digits where it is compared with the radius.
+    const ULPS: i32 = 64;
+
     fn random(rng: &mut Pcg) -> Lit {
         let own = Ball {
             center: sample::point(rng, 3.0),

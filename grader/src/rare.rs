@@ -27,7 +27,7 @@ const NUMBERS: usize = 180_000;
 /// Of who checks their own program, this part is asked.
 const CHECK: usize = 10;
 
-/// A question whose answer jumps within this number of times the last digits of a fair one is nobody's fault: of so many questions, some are
+/// A question whose answer jumps within this number of times the last digits of a fair one is nobody's fault: of thousands of questions, some are
 /// nearer to a jump than all cases are.
 const MARGIN: i32 = 4;
 

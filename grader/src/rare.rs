@@ -93,7 +93,13 @@ pub fn ask_rare(
         Some((format!("{} {}", examiner.name(), case.question), case))
     });
     let (lines, asked): (Vec<_>, Vec<_>) = asked.unzip();
-    let replies = asker.ask_many(&lines)?;
+    let mut replies = asker.ask_many(&lines)?;
+    // Of thousands of answers one may be late because the machine is busy: whoever hangs, hangs again.
+    let is_late = |reply: &Reply| matches!(reply.said, Said::TimedOut(_));
+    if let Some(late) = replies.iter().position(is_late) {
+        let again = asker.ask(&lines[late..=late])?;
+        replies.splice(late..=late, again);
+    }
     let mut wrong = asked.into_iter().zip(replies).zip(&questions);
     let wrong = wrong.find_map(|((case, reply), question)| fault(examiner, question, case, reply));
     if let (Some((case, reply, why)), Some(last)) = (wrong, report.cases.last_mut()) {

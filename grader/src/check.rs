@@ -10,6 +10,7 @@ use crate::pairing::put_right;
 use crate::picture::ask::{Pixels, ask_pixels, ask_to_first_wrong, some_are_right};
 use crate::picture::triple::Triple;
 use crate::prints::short;
+use crate::rare::{Depth, ask_rare};
 use crate::related::ask_related;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
@@ -208,11 +209,18 @@ pub fn check_all(
     done: &dyn Fn(),
 ) -> io::Result<Vec<Report>> {
     let mut reports = Vec::new();
-    check_each(program, exercises, limits, pixels, &mut |report| {
-        reports.push(report);
-        done();
-        true
-    })?;
+    check_each(
+        program,
+        exercises,
+        limits,
+        pixels,
+        Depth::Check,
+        &mut |report| {
+            reports.push(report);
+            done();
+            true
+        },
+    )?;
     Ok(reports)
 }
 
@@ -225,11 +233,12 @@ pub fn check_each(
     exercises: &[(&dyn Examiner, Vec<Case>)],
     limits: Limits,
     pixels: Pixels,
+    depth: Depth,
     each: &mut dyn FnMut(Report) -> bool,
 ) -> io::Result<()> {
     let mut asker = Asker::new(program, limits);
     for (examiner, cases) in exercises {
-        if !each(check_and_draw(&mut asker, *examiner, cases, pixels)?) {
+        if !each(check_and_draw(&mut asker, *examiner, cases, pixels, depth)?) {
             break;
         }
     }
@@ -243,11 +252,13 @@ fn check_and_draw(
     examiner: &dyn Examiner,
     cases: &[Case],
     pixels: Pixels,
+    depth: Depth,
 ) -> io::Result<Report> {
     let mut report = check(asker, examiner, cases.to_vec())?;
     ask_again(asker, examiner, &mut report)?;
     ask_related(asker, examiner, &mut report)?;
     ask_further(asker, examiner, &mut report)?;
+    ask_rare(asker, examiner, &mut report, depth)?;
     let drawn = match pixels {
         Pixels::None => false,
         Pixels::FirstWrong if report.state() == State::Wrong => report.answers(),

@@ -26,6 +26,7 @@ pub mod golden;
 pub mod hidden;
 pub mod json;
 pub mod judge;
+pub mod jump;
 pub mod keys;
 pub mod language;
 pub mod layout;
@@ -44,6 +45,7 @@ pub mod patterns;
 pub mod picture;
 pub mod prints;
 pub mod progress;
+pub mod rare;
 pub mod reader;
 pub mod recipe;
 pub mod related;
@@ -148,8 +150,9 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         true
     }
 
-    /// Whether answers take long to find: then a diagnosis does not try misread questions.
-    const SLOW: bool = false;
+    /// How many times as long it takes to find an answer as to read the question's numbers and to write the answer's. Above 1, a diagnosis does
+    /// not try misread questions, and fewer further questions are asked (see [`rare`]).
+    const EFFORT: usize = 1;
 
     /// The right answer to a question that was misread: what many a mistake comes down to.
     fn misread(question: &Self, how: impl FnOnce(&mut Self)) -> Self::Answer {

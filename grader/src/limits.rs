@@ -2,8 +2,10 @@
 //! and how exactly they are compared. Said of the cases themselves and by the judge itself, so it cannot be out of date.
 
 use crate::examine::{Case, Examiner};
+use crate::jump::{Jump, is_interval, jumps};
 use crate::layout::{Layout, Part, layout, lists, parts};
 use crate::leeway::{LONG, Leeway, leeways};
+use crate::rare::{Depth, smallest_region};
 use raybook_workbook::kind::Kind;
 
 /// In how many cases it is measured how far an answer may be off.
@@ -46,9 +48,11 @@ pub fn limits(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     let answers = rows(answer, &|case| asked.read_answer(&case.answers[0]).ok());
     let mut said = of_questions(asked.question, &questions);
     said.extend(of_nothing(answer, asked.answer.name, &answers));
-    said.extend(of_several(cases));
+    said.extend(of_jumps(examiner, cases));
+    said.push(of_several(cases));
     said.extend(of_comparing(examiner, &questions, &answers));
     said.extend(of_names(cases));
+    said.push(of_further(examiner, cases));
     said
 }
 
@@ -119,11 +123,73 @@ fn occurrence(rows: &[Row<'_>], what: &str, is_so: impl Fn(&Row<'_>) -> bool) ->
     ))
 }
 
+/// Whether the ends of intervals are asked, and other places where last digits decide.
+fn of_jumps(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let named = cases.iter().filter(|case| !case.is_random());
+    let found: Vec<_> = named.map(|case| (case, jumps(examiner, case))).collect();
+    let names = |is_so: &dyn Fn(&[Jump]) -> bool| -> Vec<String> {
+        let such = found.iter().filter(|(_, jumps)| is_so(jumps));
+        such.map(|(case, _)| format!("\"{}\"", case.name)).collect()
+    };
+    let mut said = Vec::new();
+    let parts = parts(examiner.asked().question, "question");
+    for (part, Part { name, .. }) in parts.iter().enumerate().filter(|(_, p)| is_interval(p)) {
+        let ends = [true, false]
+            .map(|excluded| names(&|jumps| jumps.contains(&Jump::End { part, excluded })));
+        for (names, counts) in ends.iter().zip(["does not count", "counts"]) {
+            if !names.is_empty() {
+                let names = names.join(", ");
+                said.push(format!(
+                    "What lies just at an end of `{name}` is asked, and {counts}: {names}."
+                ));
+            }
+        }
+        if ends.iter().all(Vec::is_empty) {
+            said.push(format!(
+                "Nothing is asked that hangs on whether an end of `{name}` counts."
+            ));
+        }
+    }
+    let others =
+        names(&|jumps| !jumps.is_empty() && jumps.iter().all(|jump| *jump == Jump::Elsewhere));
+    if !others.is_empty() {
+        let others = others.join(", ");
+        said.push(format!(
+            "Asked just at a threshold, where last digits of the question decide: {others}."
+        ));
+    }
+    said
+}
+
 /// Cases with more than one right answer.
-fn of_several(cases: &[Case]) -> Option<String> {
+fn of_several(cases: &[Case]) -> String {
     let several = cases.iter().filter(|case| case.answers.len() > 1);
     let names: Vec<_> = several.map(|case| format!("\"{}\"", case.name)).collect();
-    (!names.is_empty()).then(|| format!("More than one answer is right in: {}.", names.join(", ")))
+    if names.is_empty() {
+        return "No tie is asked that leaves a choice between answers.".to_owned();
+    }
+    format!(
+        "Ties, where more than one answer is right, are asked: {}.",
+        names.join(", ")
+    )
+}
+
+/// What is asked of who is right in the cases.
+fn of_further(examiner: &dyn Examiner, cases: &[Case]) -> String {
+    let [check, grade] =
+        [Depth::Check, Depth::Grade].map(|depth| examiner.rare_count(cases, depth));
+    let random = cases.iter().filter(|case| case.is_random()).count();
+    let region = 100.0 * smallest_region(random + grade);
+    let further = match (check, grade) {
+        (_, 0) => "No further random questions are asked".to_owned(),
+        (0, _) => format!(
+            "Who is right in all cases is asked {grade} further random questions where a class is graded"
+        ),
+        _ => format!(
+            "Who is right in all cases is asked {check} further random questions, and {grade} where a class is graded"
+        ),
+    };
+    format!("{further}: a fault in {region:.1} % of all questions is then met with 95 %.")
 }
 
 /// How answers are compared: whether order and length count, and how far numbers may be off.

@@ -9,16 +9,35 @@ use std::cell::LazyCell;
 /// last digits.
 const JIGGLES: usize = 8;
 
+/// From this effort on an answer is an estimate, and is judged by bounds much wider than last digits move it: one try is enough.
+const ESTIMATE: usize = 100;
+
 /// Whether the answer stays right when the question's numbers move in their last digits.
 ///
 /// A ray that grazes a silhouette is nobody's fault.
 pub fn is_stable(examiner: &(dyn Examiner + '_), question: &[f64], rng: &mut Pcg) -> bool {
+    is_stable_within(examiner, question, examiner.ulps(), JIGGLES, rng)
+}
+
+/// The same for moves by at most `ulps` of the last digits, in this number of tries.
+pub fn is_stable_within(
+    examiner: &(dyn Examiner + '_),
+    question: &[f64],
+    ulps: i32,
+    tries: usize,
+    rng: &mut Pcg,
+) -> bool {
+    let tries = if examiner.limits().effort < ESTIMATE {
+        tries
+    } else {
+        1
+    };
     // A stream of its own: how many tries are made must not change the questions that follow.
     let rng = &mut pcg::stream(rng.random(), 0);
     let call = examiner.asked().call;
     let golden = LazyCell::new(|| call(question));
-    (0..JIGGLES).all(|_| {
-        let moved = jiggle(question, examiner.ulps(), rng);
+    (0..tries).all(|_| {
+        let moved = jiggle(question, ulps, rng);
         moved == question || examiner.compare(question, &golden, &call(&moved)).is_ok()
     })
 }

@@ -39,12 +39,18 @@ use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::picture::ask::{pixel_questions, triples};
+use raybook_grader::rare::Depth;
+use raybook_workbook::row;
 use rayon::prelude::*;
 use std::sync::LazyLock;
 use student::{Alternative, STYLES, line};
 
-/// Number of students whose hidden cases are tried.
-const KEYS: usize = 20;
+/// Number of students whose hidden cases are tried; of estimates, which take long, a part.
+const KEYS: usize = 100;
+const KEYS_OF_ESTIMATES: usize = 20;
+
+/// How long an answer takes that is an estimate.
+const ESTIMATE: usize = 100;
 
 /// Whether an exercise is a hit function, of which at least two alternatives are asked.
 fn is_hit(exercise: &str) -> bool {
@@ -88,12 +94,50 @@ fn unfair_verdicts(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
         .flat_map(|other| cases.iter().map(move |case| (other, case)));
     for (other, case) in asked {
         let answer = other.answer_to(&case.question);
-        for (style, print) in STYLES {
-            let got = line(&answer, print);
+        // Hidden cases are many, and one way of printing numbers is enough.
+        let styles = if case.number == 0 { 1 } else { STYLES.len() };
+        for (style, print) in &STYLES[..styles] {
+            let got = line(&answer, *print);
             if let Err(why) = examiner.judge(&case.question, &case.answers, &got) {
                 unfair.push(format!(
                     "{name}, {}, numbers {style}; {}: {}\n  right {:?}\n  got   {got}\n  {why}",
                     other.method, case.name, case.question, case.answers
+                ));
+            }
+        }
+    }
+    unfair
+}
+
+/// A student is asked thousands of these, so of a hundred students none may meet an unfair one.
+#[test]
+fn programs_that_are_right_by_another_method_are_right_in_further_questions() {
+    let unfair: Vec<_> = CASES
+        .par_iter()
+        .flat_map_iter(|(examiner, cases)| unfair_faults(*examiner, cases))
+        .collect();
+    assert!(unfair.is_empty(), "{}", unfair.join("\n"));
+}
+
+/// The further questions to which an alternative's answer counts as a fault.
+fn unfair_faults(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+    let name = examiner.name();
+    let kinds = examiner.asked();
+    let mut unfair = Vec::new();
+    for question in examiner.rare_questions(cases, Depth::Grade) {
+        let golden = examiner
+            .reference(&question)
+            .expect("the reference answers");
+        let golden = vec![row::format(kinds.answer.kind, &golden)];
+        let line_of = row::format(kinds.question, &question);
+        for other in alternatives().filter(|other| other.exercise == name) {
+            let got = line(&other.answer_to(&line_of), STYLES[0].1);
+            if let Err(why) = examiner.judge(&line_of, &golden, &got)
+                && examiner.is_fault(&question)
+            {
+                unfair.push(format!(
+                    "{name}, {}: {line_of}\n  right {golden:?}\n  got   {got}\n  {why}",
+                    other.method
                 ));
             }
         }
@@ -155,7 +199,7 @@ fn alternatives() -> impl Iterator<Item = &'static Alternative> {
     .flatten()
 }
 
-/// Every exercise with its visible cases, what follows from these, and the hidden ones of some students.
+/// Every exercise with its visible cases, what follows from these, and the random ones of some students, which have no numbers.
 static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
     let all = |examiner: &dyn Examiner| {
         let name = examiner.name();
@@ -163,13 +207,19 @@ static CASES: LazyLock<Vec<(&dyn Examiner, Vec<Case>)>> = LazyLock::new(|| {
         let followers = examiner.followers(&cases).into_iter();
         let follow: Vec<_> = followers.map(|one| one.case).collect();
         cases.extend(follow);
-        for student in 0..KEYS {
+        let keys = if examiner.limits().effort < ESTIMATE {
+            KEYS
+        } else {
+            KEYS_OF_ESTIMATES
+        };
+        for student in 0..keys {
             let key = Key {
                 course: "another course's secret".into(),
                 term: "spring".into(),
                 student: format!("student {student}"),
             };
-            cases.extend(examiner.cases(&mut key.rng(name)).cases);
+            let random = examiner.try_random_cases(&mut key.rng(name));
+            cases.extend(random.expect("the reference answers").cases);
         }
         cases
     };

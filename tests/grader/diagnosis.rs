@@ -11,6 +11,7 @@ mod mistakes;
 mod operations;
 mod own_choices;
 mod panics;
+mod phong;
 mod regimes;
 mod several;
 mod structures;

@@ -10,6 +10,8 @@ use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::feedback::{self, Commands};
 use raybook_grader::picture::ask::{pixel_questions, some_questions, triples};
+use raybook_grader::rare::Depth;
+use raybook_workbook::row;
 use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
@@ -105,7 +107,10 @@ fn a_program_that_knows_the_cases_by_heart_is_wrong_without_any_wish_for_picture
         let of_pixels = some_questions(examiner, &cases)
             .into_iter()
             .filter(|_| pixels);
-        let known = of_cases.chain(of_pixels).map(|question| {
+        // Further random questions are known too: what is told here is what pictures find.
+        let further = examiner.rare_questions(&cases, Depth::Check).into_iter();
+        let of_further = further.map(|numbers| row::format(examiner.asked().question, &numbers));
+        let known = of_cases.chain(of_further).chain(of_pixels).map(|question| {
             let answer = golden(examiner, &question);
             (format!("{name} {question}"), answer)
         });

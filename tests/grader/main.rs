@@ -7,6 +7,7 @@ mod ask;
 mod bless;
 mod ch25_capstone;
 mod class;
+mod clauses;
 mod common;
 mod confused;
 mod diagnosis;

@@ -10,6 +10,7 @@ use crate::check::check_each;
 use crate::examine::{Case, Examiner};
 use crate::mutex::{self, lock};
 use crate::picture::ask::Pixels;
+use crate::rare::Depth;
 use raybook::store::StoreError;
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Mutex;
@@ -199,6 +200,7 @@ impl Worker<'_> {
             &asked,
             limits,
             Pixels::FirstWrong,
+            Depth::Grade,
             &mut |report| {
                 let (examiner, _) = &asked[number];
                 number += 1;

@@ -154,7 +154,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     }
     if let Some(found) = seen.as_ref().filter(|found| found.certain) {
         // What is there to see, and what may have made it.
-        if slip.is_none() && !evidence.examiner.limits().slow {
+        if slip.is_none() && evidence.examiner.limits().effort <= 1 {
             let parts = of_parts(evidence, &readings);
             if !parts.is_empty() && parts.iter().all(|one| one.certain) {
                 return in_parts(parts);

@@ -140,7 +140,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     }
     // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
     let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
-    if !evidence.is_judged() && !examiner.limits().slow && by_themselves {
+    if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
         for slip in promising(evidence) {
             consider(SLIP, &slip.name, &slip.hint, &|k| {
                 slip.answer(&evidence.items[k].question)

@@ -77,9 +77,6 @@ impl dyn Examiner + '_ {
     ///
     /// # Errors
     /// If a named case of the golden file cannot be read, or the reference has no answer.
-    ///
-    /// # Panics
-    /// If the exercise's random questions are not fit for it.
     pub fn try_cases(&self, rng: &mut Pcg) -> Result<Cases, CasesError> {
         let mut cases: Vec<Case> = self
             .named()?
@@ -90,6 +87,23 @@ impl dyn Examiner + '_ {
                 Ok(case)
             })
             .collect::<Result<_, CasesError>>()?;
+        let random = self.try_random_cases(rng)?;
+        cases.extend(random.cases);
+        for (case, number) in cases.iter_mut().zip(1..) {
+            case.number = number;
+        }
+        Ok(Cases { cases, ..random })
+    }
+
+    /// The random ones alone; they have no numbers yet.
+    ///
+    /// # Errors
+    /// If the reference has no answer.
+    ///
+    /// # Panics
+    /// If the exercise's random questions are not fit for it.
+    pub fn try_random_cases(&self, rng: &mut Pcg) -> Result<Cases, CasesError> {
+        let mut cases = Vec::new();
         let (mut kept, mut thrown_away) = (0, 0);
         while kept < RANDOM_CASES {
             let question = self.random(rng);
@@ -104,9 +118,6 @@ impl dyn Examiner + '_ {
                     self.name()
                 );
             }
-        }
-        for (case, number) in cases.iter_mut().zip(1..) {
-            case.number = number;
         }
         Ok(Cases { cases, thrown_away })
     }

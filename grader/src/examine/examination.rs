@@ -114,7 +114,7 @@ impl<E: Graded> Examiner for Examination<E> {
         Limits {
             positive: E::POSITIVE,
             fixed: E::FIXED,
-            slow: E::SLOW,
+            effort: E::EFFORT,
         }
     }
 

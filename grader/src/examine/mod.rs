@@ -91,7 +91,7 @@ pub trait Examiner: Sync {
     /// See [`traits`](crate::Graded::traits).
     fn traits(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
 
-    /// See [`POSITIVE`](crate::Graded::POSITIVE), [`FIXED`](crate::Graded::FIXED) and [`SLOW`](crate::Graded::SLOW).
+    /// See [`POSITIVE`](crate::Graded::POSITIVE), [`FIXED`](crate::Graded::FIXED) and [`EFFORT`](crate::Graded::EFFORT).
     fn limits(&self) -> Limits;
 
     /// See [`is_sound`](crate::Graded::is_sound).

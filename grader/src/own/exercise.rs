@@ -119,7 +119,7 @@ impl Examiner for OwnExercise {
         Limits {
             positive: &[],
             fixed: &[],
-            slow: true,
+            effort: usize::MAX, // nobody knows
         }
     }
 

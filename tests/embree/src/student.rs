@@ -41,8 +41,16 @@ fn ask(
     ray: &Ray,
     within: Interval,
 ) -> Result<Option<Answer>, String> {
+    // Embree's intervals begin at 0 or later: the ray then begins where the interval does.
+    let before = within.min.clamp(f32::MIN, 0.0);
+    let ray = Ray::new(ray.at(before), ray.direction);
+    let within = Interval::new(within.min - before, within.max - before);
     // Robust: no ray slips through the edge between two triangles of a face.
-    Ok(embree.scene(solid, Mode::Robust)?.closest(ray, within))
+    let hit = embree.scene(solid, Mode::Robust)?.closest(&ray, within);
+    Ok(hit.map(|hit| Answer {
+        t: before + hit.t,
+        ..hit
+    }))
 }
 
 /// Triangles, each with corners of its own.
@@ -72,10 +80,6 @@ fn plane_hit(embree: &Embree, line: &str) -> Result<String, String> {
         normal,
         offset,
     } = question(line)?;
-    // Embree's intervals begin at 0 or later: the ray then begins where the interval does.
-    let before = within.min.clamp(f32::MIN, 0.0);
-    let ray = Ray::new(ray.at(before), ray.direction);
-    let within = Interval::new(within.min - before, within.max - before);
     let height = normal.dot(ray.origin) - offset;
     let reach = (height / normal.dot(*ray.direction)).abs();
     let half = (2.0 + 2.0 * reach).min(1e6); // where this is NaN, the ray is in the plane
@@ -83,7 +87,7 @@ fn plane_hit(embree: &Embree, line: &str) -> Result<String, String> {
     let corner = |(i, j): (f32, f32)| ray.origin - height * *z + half * (i * *x + j * *y);
     let [a, b, c, d] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)].map(corner);
     let hit = ask(embree, &triangles(&[[a, b, c], [a, c, d]])?, &ray, within)?;
-    Ok(hit.map(|hit| before + hit.t).write())
+    Ok(hit.map(|hit| hit.t).write())
 }
 
 /// The box is twelve triangles, asked from both ends of a long stretch of the line: where it enters, and where it leaves.

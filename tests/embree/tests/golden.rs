@@ -30,6 +30,10 @@ const OTHERWISE: &[(&str, &str, &str)] = &[
     ("mesh_hit", "just where the interval begins", CLOSED),
     ("triangle_hit", "just where the interval ends", CLOSED),
     ("triangle_hit", "just where the interval begins", CLOSED),
+    ("bvh_closest", "just where the interval ends", CLOSED),
+    ("bvh_closest", "just where the interval begins", CLOSED),
+    ("wide_closest", "just where the interval ends", CLOSED),
+    ("wide_closest", "just where the interval begins", CLOSED),
 ];
 
 /// The course's interval is open.

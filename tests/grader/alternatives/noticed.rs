@@ -9,9 +9,13 @@ use rayon::prelude::*;
 /// The share of spoilt answers that must be noticed, in percent: 1 % of a very small number may be right.
 const NOTICED: usize = 90;
 
+/// How many cases of an exercise tell it.
+const CASES_ENOUGH: usize = 700;
+
 #[test]
 fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
     CASES.par_iter().for_each(|(examiner, cases)| {
+        let cases = &cases[..cases.len().min(CASES_ENOUGH)];
         let name = examiner.name();
         let wrongs: Vec<_> = wrongs().filter(|w| w.0.contains(&name)).collect();
         assert!(!wrongs.is_empty(), "{name}: try a wrong program");
@@ -37,6 +41,7 @@ fn programs_that_are_a_little_wrong_fail_nearly_everywhere() {
 #[test]
 fn a_program_that_says_the_same_to_everything_fails_nearly_everywhere() {
     CASES.par_iter().for_each(|(examiner, cases)| {
+        let cases = &cases[..cases.len().min(CASES_ENOUGH)];
         for same in ["none", cases[0].answers[0].as_str()] {
             let (noticed, all) = count(*examiner, cases, |case| {
                 (case.answers[0] != same).then(|| same.to_owned())

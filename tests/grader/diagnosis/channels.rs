@@ -1,34 +1,14 @@
 //! What is wrong in one channel or along one axis only is named by it; and a colour's numbers are red, green and blue.
 
 use super::operations::diagnosed;
-use glam::DVec3;
-
-/// Phong's model, with a slip in k_s and in the sum of both parts.
-fn phong(
-    q: &[f64],
-    shiny: impl Fn(DVec3, DVec3) -> DVec3,
-    sum: impl Fn(DVec3) -> DVec3,
-) -> Vec<f64> {
-    let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
-    let height = n.dot(l);
-    let cosine = (2.0 * height * n - l).dot(v);
-    let shine = if cosine > 0.0 {
-        cosine.powf(q[18])
-    } else {
-        0.0
-    };
-    let light = if height > 0.0 {
-        sum(k_d * height + shiny(k_s, k_d) * shine) * i
-    } else {
-        DVec3::ZERO
-    };
-    light.to_array().to_vec()
-}
+use super::phong::{Phong, phong};
+use glam::{DVec3, Vec3Swizzles as _};
 
 #[test]
 fn another_coefficient_in_one_channel_is_named() {
     let found = diagnosed("phong", |q| {
-        Some(phong(q, |k_s, k_d| k_s.with_z(k_d.z), |sum| sum))
+        let slip = |at: Phong| at.k_d * at.height + at.k_s.with_z(at.k_d.z) * at.shine;
+        Some(phong(q, slip))
     });
     let told = "takes the value of “k_d” where that of “k_s” belongs, in blue only";
     assert_eq!((&*found.name, found.certain), (told, true));
@@ -37,11 +17,8 @@ fn another_coefficient_in_one_channel_is_named() {
 #[test]
 fn the_numbers_of_a_colour_are_its_channels() {
     let found = diagnosed("phong", |q| {
-        Some(phong(
-            q,
-            |k_s, _| k_s,
-            |sum| DVec3::new(sum.z, sum.y, sum.x),
-        ))
+        let slip = |at: Phong| (at.k_d * at.height + at.k_s * at.shine).zyx();
+        Some(phong(q, slip))
     });
     let told = "goes wrong at the step “diffuse + specular”: exchanges red and blue";
     assert_eq!((&*found.name, found.certain), (told, true));

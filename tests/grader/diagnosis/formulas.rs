@@ -1,6 +1,7 @@
 //! What goes wrong within a formula is named: brackets, powers, one component, a value that does not belong there, one of several things.
 
 use super::operations::diagnosed;
+use super::phong::{Phong, phong};
 use glam::DVec3;
 use raybook_grader::cases;
 
@@ -88,32 +89,12 @@ fn one_slip_that_explains_nearly_all_is_told_before_two() {
     assert!(found.name.ends_with(told), "{found:?}");
 }
 
-/// Phong's model, with a slip in the diffuse part and in the highlight, made of what they are, the exponent and the light.
-fn phong(
-    q: &[f64],
-    matte: impl Fn(f64, f64) -> f64,
-    shiny: impl Fn(f64, DVec3) -> DVec3,
-) -> Vec<f64> {
-    let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
-    let height = n.dot(l);
-    let cosine = (2.0 * height * n - l).dot(v);
-    let shine = if cosine > 0.0 {
-        cosine.powf(q[18])
-    } else {
-        0.0
-    };
-    let light = if height > 0.0 {
-        (k_d * matte(height, q[18]) + k_s * shiny(shine, i)) * i
-    } else {
-        DVec3::ZERO
-    };
-    light.to_array().to_vec()
-}
-
 #[test]
 fn a_power_that_does_not_belong_there_is_named() {
     let found = diagnosed("phong", |q| {
-        Some(phong(q, f64::powf, |shine, _| DVec3::splat(shine)))
+        let matte = |height: f64| height.powf(q[18]);
+        let slip = |at: Phong| at.k_d * matte(at.height) + at.k_s * at.shine;
+        Some(phong(q, slip))
     });
     let told = "goes wrong at the step “L·N in the diffuse part”: raises to the power of “α” too";
     assert_eq!(found.name, told);
@@ -122,7 +103,8 @@ fn a_power_that_does_not_belong_there_is_named() {
 #[test]
 fn a_factor_that_does_not_belong_there_is_named() {
     let found = diagnosed("phong", |q| {
-        Some(phong(q, |height, _| height, |shine, i| shine * i))
+        let slip = |at: Phong| at.k_d * at.height + at.k_s * at.shine * at.i;
+        Some(phong(q, slip))
     });
     let told = "goes wrong at the step “specular: k_s times that”: multiplies by “i” too";
     assert_eq!(found.name, told);

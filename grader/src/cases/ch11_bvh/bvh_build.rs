@@ -125,7 +125,7 @@ impl Graded for BvhBuild {
         one
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 10;
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {

@@ -57,7 +57,7 @@ impl Graded for BvhClosest {
         ]
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 2;
 
     const FLAWS: &'static [Flaw] = search::FLAWS;
 

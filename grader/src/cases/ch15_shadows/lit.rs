@@ -77,14 +77,18 @@ impl Graded for Lit {
             normal
         };
         let distance = sample::number(rng, 4.0, 8.0);
-        let other = |rng: &mut Pcg| {
+        let other = |rng: &mut Pcg| loop {
             // In the way, behind the light, or behind the point.
             let along = [0.5, 1.4, 1.4, -0.8][rng.random_range(0..4)] * distance;
             let radius = sample::number(rng, 0.4, 0.9);
             let aside = sample::point(rng, 0.7);
-            Ball {
-                center: position + along * *toward + aside,
-                radius,
+            // The way may start anywhere within some errors of the position: that must not decide whether it meets the ball.
+            let passes = aside.reject_from_normalized(*toward).length();
+            if (passes - radius).abs() > 4.0 * error {
+                break Ball {
+                    center: position + along * *toward + aside,
+                    radius,
+                };
             }
         };
         let mut spheres = vec![other(rng), other(rng)];

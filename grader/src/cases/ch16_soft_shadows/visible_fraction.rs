@@ -105,7 +105,7 @@ impl Graded for VisibleFraction {
         ]
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 100;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

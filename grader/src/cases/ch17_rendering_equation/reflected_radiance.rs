@@ -132,7 +132,7 @@ impl Graded for ReflectedRadiance {
         got.channels().map(|v| traits::log(v.into())).to_vec()
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 100;
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -154,7 +154,7 @@ impl Graded for PoissonDisk {
         traits
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 100;
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {

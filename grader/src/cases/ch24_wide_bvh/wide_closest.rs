@@ -85,7 +85,7 @@ impl Graded for WideClosest {
         ]
     }
 
-    const SLOW: bool = true;
+    const EFFORT: usize = 2;
 
     const FLAWS: &'static [Flaw] = search::FLAWS;
 

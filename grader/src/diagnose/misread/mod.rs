@@ -14,8 +14,8 @@ pub struct Limits {
     pub positive: &'static [&'static str],
     /// See [`crate::Graded::FIXED`].
     pub fixed: &'static [&'static str],
-    /// See [`crate::Graded::SLOW`].
-    pub slow: bool,
+    /// See [`crate::Graded::EFFORT`].
+    pub effort: usize,
 }
 
 /// A way to misread a question.
@@ -127,9 +127,9 @@ pub fn misreadings(kind: &'static Kind, limits: Limits) -> Vec<Misreading> {
     let Limits {
         positive,
         fixed,
-        slow,
+        effort,
     } = limits;
-    if slow {
+    if effort > 1 {
         return Vec::new();
     }
     let parts = parts(kind, "question");

@@ -1,0 +1,82 @@
+//! How rare a fault may be to be met by further random questions.
+
+use super::{ASKED, Asked};
+use raybook_common::{STALE, measured};
+use raybook_grader::examine::RANDOM_CASES;
+use raybook_grader::rare::{Depth, smallest_region};
+use rayon::prelude::*;
+use std::fmt::Write;
+use std::hash::{DefaultHasher, Hash, Hasher};
+
+/// Whether a question is in a region of this share of all questions: one of those that the number names.
+fn is_in_region(question: &[f64], share: f64, number: usize) -> bool {
+    let mut hasher = DefaultHasher::new();
+    number.hash(&mut hasher);
+    for number in question {
+        number.to_bits().hash(&mut hasher);
+    }
+    (hasher.finish() as f64) < share * 2.0_f64.powi(64)
+}
+
+/// Of the keys' students with a fault in a region of this share, whose fault is met.
+fn met(asked: &Asked, share: impl Fn(usize) -> f64) -> usize {
+    let examiner = asked.examiner;
+    let is_met = |(key, cases): &(usize, &Vec<_>)| {
+        let further = examiner.rare_questions(cases, Depth::Grade);
+        let share = share(further.len());
+        let read = |case: &raybook_grader::examine::Case| {
+            let question = examiner.asked().read_question(&case.question);
+            question.expect("a case is a question")
+        };
+        let in_region = |question: &Vec<f64>| is_in_region(question, share, *key);
+        cases.iter().map(read).any(|question| in_region(&question))
+            || further
+                .iter()
+                .any(|question| in_region(question) && examiner.is_fault(question))
+    };
+    asked.hidden.iter().enumerate().filter(is_met).count()
+}
+
+#[test]
+fn a_fault_in_the_region_that_the_table_tells_is_met_with_95_percent() {
+    let met = |asked: &Asked| met(asked, |further| smallest_region(RANDOM_CASES + further));
+    let met: usize = ASKED.par_iter().map(met).sum();
+    let all: usize = ASKED.iter().map(|asked| asked.hidden.len()).sum();
+    let share = met as f64 / all as f64;
+    println!("{met} of {all} faults are met");
+    // The standard deviation is 0.6 %.
+    assert!((0.93..0.97).contains(&share), "{share}");
+}
+
+#[test]
+fn a_fault_in_a_tenth_of_that_region_is_seldom_met() {
+    let share = |further: usize| 0.1 * smallest_region(RANDOM_CASES + further);
+    let met: usize = ASKED.par_iter().map(|asked| met(asked, share)).sum();
+    let all: usize = ASKED.iter().map(|asked| asked.hidden.len()).sum();
+    // 1 − 0.05^0.1 = 26 %.
+    assert!((0.2..0.32).contains(&(met as f64 / all as f64)), "{met}");
+}
+
+#[test]
+fn the_table_of_the_smallest_faults_that_are_met_is_that_of_today() {
+    let mut table = String::from(
+        "| exercise | further questions of `raybook check` | a fault in this share is met | further questions when a class is graded | a fault in this share is met |\n|---|---|---|---|---|\n",
+    );
+    let mut within = 0;
+    for Asked {
+        examiner, visible, ..
+    } in &*ASKED
+    {
+        let counts = [Depth::Check, Depth::Grade].map(|depth| examiner.rare_count(visible, depth));
+        let [check, grade] = counts.map(|count| 100.0 * smallest_region(RANDOM_CASES + count));
+        within += usize::from(grade <= 0.1);
+        let [few, many] = counts;
+        let name = examiner.name();
+        let _ = writeln!(
+            table,
+            "| `{name}` | {few} | {check:.1} % | {many} | {grade:.1} % |"
+        );
+    }
+    assert_eq!(measured("rare", &table), table, "{STALE}");
+    assert!(within >= 40, "{within} exercises meet a fault on 10⁻³");
+}

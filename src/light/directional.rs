@@ -31,4 +31,8 @@ impl Light for DirectionalLight {
             pdf: f32::INFINITY,
         })
     }
+
+    fn has_extent(&self) -> bool {
+        false
+    }
 }

@@ -30,6 +30,11 @@ pub trait Light: Send + Sync {
     /// radiance without shadows.
     fn sample(&self, at: Vec3, u: Vec2) -> Option<LightSample>;
 
+    /// Whether a point of the light is chosen, by the random numbers of [`Light::sample`]; a light without an extent takes none.
+    fn has_extent(&self) -> bool {
+        true
+    }
+
     /// What a ray that meets the light itself finds, at a distance of at most `farthest`, in metres; `None` for a light without
     /// an extent.
     fn seen(&self, _ray: &Ray, _farthest: f32) -> Option<LightHit> {

@@ -38,4 +38,8 @@ impl Light for PointLight {
         })
     }
     // ANCHOR_END: point_light
+
+    fn has_extent(&self) -> bool {
+        false
+    }
 }

@@ -62,6 +62,10 @@ impl Gathered {
         for (p, seen) in samples {
             gathered.count += 1;
             rays += seen.rays;
+            if film.filter.is_box() {
+                gathered.own.add(seen.radiance, 1.0);
+                continue;
+            }
             let add = |to: &mut Weighted, offset: Vec2| {
                 let weight = film.filter.weight(offset);
                 to.add(seen.radiance * weight, weight);

@@ -20,7 +20,7 @@ use crate::math::{dir3::Dir3, ray::Ray};
 use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::{Scene, Seen};
 use crate::shape::Surface;
-use glam::vec2;
+use glam::{Vec2, vec2};
 use rand::{Rng, RngExt};
 
 /// Whether a sample of a light arrives at a surface.
@@ -55,7 +55,11 @@ impl<A: Fn(&Scene, &Surface, &LightSample) -> bool> Local<A> {
         for light in &scene.lights {
             let mut of_light = Rgb::BLACK;
             for _ in 0..self.samples {
-                let u = vec2(rng.random(), rng.random());
+                let u = if light.has_extent() {
+                    vec2(rng.random(), rng.random())
+                } else {
+                    Vec2::ZERO
+                };
                 let Some(sample) = light.sample(seen.surface.position, u) else {
                     continue;
                 };

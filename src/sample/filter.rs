@@ -20,8 +20,8 @@ pub struct Filter {
     pub name: &'static str,
     /// r, in pixels.
     pub radius: f32,
-    /// f, on [−1, 1). A constant factor does not matter, because weights are divided by their sum.
-    pub profile: fn(f32) -> f32,
+    /// f, on [−1, 1); `None` for 1. A constant factor does not matter, because weights are divided by their sum.
+    pub profile: Option<fn(f32) -> f32>,
 }
 
 impl Filter {
@@ -29,25 +29,25 @@ impl Filter {
     pub const BOX: Self = Self {
         name: "box",
         radius: 0.5,
-        profile: |_| 1.0,
+        profile: None,
     };
     /// The tent filter, 1 − |t|: the weight falls linearly.
     pub const TENT: Self = Self {
         name: "tent",
         radius: 1.0,
-        profile: |t| 1.0 - t.abs(),
+        profile: Some(|t| 1.0 - t.abs()),
     };
     /// A Gaussian bell of standard deviation r/3 = ½ pixel, lowered to end at 0.
     pub const GAUSSIAN: Self = Self {
         name: "Gaussian",
         radius: 1.5,
-        profile: |t| (-4.5 * t * t).exp() - (-4.5_f32).exp(),
+        profile: Some(|t| (-4.5 * t * t).exp() - (-4.5_f32).exp()),
     };
     /// Mitchell's cubic: sharper than a Gaussian, because weights beyond the next pixel's centre are negative.
     pub const MITCHELL: Self = Self {
         name: "Mitchell",
         radius: 2.0,
-        profile: |t| mitchell(2.0 * t),
+        profile: Some(|t| mitchell(2.0 * t)),
     };
     /// All four filters.
     pub const ALL: [Self; 4] = [Self::BOX, Self::TENT, Self::GAUSSIAN, Self::MITCHELL];
@@ -57,13 +57,18 @@ impl Filter {
         (self.radius - 0.5).ceil().max(0.0) as usize
     }
 
+    /// Whether the samples of a pixel count for it alike, and for no other.
+    pub fn is_box(&self) -> bool {
+        self.radius == 0.5 && self.profile.is_none()
+    }
+
     /// The weight w of a sample at `offset` from the pixel's centre, in pixels.
     pub fn weight(&self, offset: Vec2) -> f32 {
         let t = offset / self.radius;
         // Half open, so that a sample on the edge between two pixels belongs to one of them.
         let inside = |t: f32| (-1.0..1.0).contains(&t);
         if inside(t.x) && inside(t.y) {
-            (self.profile)(t.x) * (self.profile)(t.y)
+            self.profile.map_or(1.0, |f| f(t.x) * f(t.y))
         } else {
             0.0
         }

@@ -64,7 +64,7 @@ fn the_tent_and_mitchells_cubic_add_up_to_one_over_the_pixels() {
             let sum: f32 = (-3..=3)
                 .map(|i| filter.weight(vec2(x + i as f32, 0.0)))
                 .sum();
-            let height = filter.weight(Vec2::ZERO) / (filter.profile)(0.0);
+            let height = filter.weight(Vec2::ZERO) / filter.profile.map_or(1.0, |f| f(0.0));
             assert!(
                 (sum / height - 1.0).abs() < 1e-5,
                 "{} at {x}: {sum}",
@@ -82,7 +82,8 @@ fn mitchells_cubic_has_its_known_values() {
         (2.0, 0.0),
         (1.5, -5.0 / 144.0),
     ] {
-        let got = (Filter::MITCHELL.profile)(x / 2.0);
+        let mitchell = Filter::MITCHELL.profile.expect("a cubic");
+        let got = mitchell(x / 2.0);
         assert!(
             (got - expected).abs() < 1e-6,
             "k({x}) is {got}, not {expected}"

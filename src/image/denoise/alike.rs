@@ -9,10 +9,10 @@ pub(super) const WINDOW: isize = 12;
 
 /// Up to this distance all pixels are compared, in pixels, in each direction; beyond it one of [`FEW`], by chance: noise that is as
 /// wide as the window is averaged away too, and a wide window takes no more time.
-const NEAR: isize = 3;
+const NEAR: isize = 6;
 
 /// One of this number of pixels that are not near is compared.
-const FEW: u64 = 4;
+const FEW: u64 = 8;
 
 /// How far around a pixel its patch reaches, in pixels, in each direction. Two pixels are compared by their patches.
 const PATCH: usize = 2;

@@ -94,7 +94,7 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         Ok(())
     }
 
-    /// Further questions for a program that is right so far. They are asked as long as all answers together leave doubt, and keep
+    /// Further questions for a program that is right in all cases. They are asked as long as all answers together leave doubt, and keep
     /// within the limits of the cases.
     fn further(_rng: &mut Pcg) -> Vec<Self> {
         Vec::new()

@@ -14,6 +14,7 @@ use crate::math::pcg::mix;
 use crate::sample::pattern::sobol::sobol;
 use glam::{Vec2, vec2};
 use rand::TryRng;
+use rand::rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
 use std::convert::Infallible;
 
 /// The random numbers of one sample of a pixel, pair after pair.
@@ -77,15 +78,11 @@ impl TryRng for Even {
     }
 
     fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        let [low, high] = [self.try_next_u32()?, self.try_next_u32()?].map(u64::from);
-        Ok(high << 32 | low)
+        next_u64_via_u32(self)
     }
 
     fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
-        for part in bytes.chunks_mut(4) {
-            part.copy_from_slice(&self.try_next_u32()?.to_le_bytes()[..part.len()]);
-        }
-        Ok(())
+        fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
 }
 

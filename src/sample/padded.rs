@@ -16,6 +16,7 @@
 
 use crate::math::pcg::Pcg;
 use glam::{Vec2, vec2};
+use rand::rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
 use rand::seq::SliceRandom;
 use rand::{RngExt, TryRng};
 use std::convert::Infallible;
@@ -31,7 +32,7 @@ use std::convert::Infallible;
 pub struct Padded<'a, F> {
     rng: &'a mut Pcg,
     points: F,
-    /// The set of each pair that was needed so far.
+    /// The set of each pair that a sample has asked for.
     sets: Vec<Vec<Vec2>>,
 }
 
@@ -107,14 +108,10 @@ impl<F: Fn(&mut Pcg) -> Vec<Vec2>> TryRng for Numbers<'_, '_, F> {
     }
 
     fn try_next_u64(&mut self) -> Result<u64, Infallible> {
-        let [low, high] = [self.try_next_u32()?, self.try_next_u32()?].map(u64::from);
-        Ok(high << 32 | low)
+        next_u64_via_u32(self)
     }
 
     fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
-        for part in bytes.chunks_mut(4) {
-            part.copy_from_slice(&self.try_next_u32()?.to_le_bytes()[..part.len()]);
-        }
-        Ok(())
+        fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
 }

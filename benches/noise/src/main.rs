@@ -119,8 +119,8 @@ impl Subject {
     }
 }
 
-/// The error after so much time: on the straight line through the last two points, both axes logarithmic; that of the last point,
-/// if its time is less.
+/// The error after `time`, in processor-seconds: on the straight line through the curve's last two points, both axes logarithmic; that
+/// of the last point, if its own time is less.
 fn error_at(curve: &[Point], time: f64) -> f64 {
     match *curve {
         [.., a, b] if a.time < b.time => {

@@ -83,14 +83,7 @@ pub const BENT: &[Bent] = &[
     bent(
         "box_clip",
         "answers with the whole interval where the ray misses",
-        |right, q| {
-            let answer = right(q);
-            if answer == [0.0] {
-                vec![1.0, q[MIN], q[MAX]]
-            } else {
-                answer
-            }
-        },
+        |right, q| for_none(right(q), &[1.0, q[MIN], q[MAX]]),
     ),
     bent("triangle_hit", AT_MIN, at_min),
     bent("triangle_hit", AT_MAX, at_max),
@@ -106,28 +99,14 @@ pub const BENT: &[Bent] = &[
     bent(
         "triangle_normal",
         "takes +z for the normal of a triangle without area",
-        |right, q| {
-            let answer = right(q);
-            if answer == [0.0] {
-                vec![1.0, 0.0, 0.0, 1.0]
-            } else {
-                answer
-            }
-        },
+        |right, q| for_none(right(q), &[1.0, 0.0, 0.0, 1.0]),
     ),
     bent("mesh_hit", AT_MIN, at_min),
     bent("mesh_hit", AT_MAX, at_max),
     bent(
         "mesh_hit",
         "answers with triangle 0 at max where all are missed",
-        |right, q| {
-            let answer = right(q);
-            if answer == [0.0] {
-                vec![1.0, q[MAX], 0.0]
-            } else {
-                answer
-            }
-        },
+        |right, q| for_none(right(q), &[1.0, q[MAX], 0.0]),
     ),
     bent(
         "grid_resolution",
@@ -244,4 +223,12 @@ fn no_negative(right: Right, q: &[f64]) -> Vec<f64> {
 
 fn none_if(is_none: bool, answer: Vec<f64>) -> Vec<f64> {
     if is_none { vec![0.0] } else { answer }
+}
+
+fn for_none(answer: Vec<f64>, other: &[f64]) -> Vec<f64> {
+    if answer == [0.0] {
+        other.to_vec()
+    } else {
+        answer
+    }
 }

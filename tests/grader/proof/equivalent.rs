@@ -94,20 +94,8 @@ pub const EQUIVALENT: &[Equivalent] = &[
         name: "mirrors the viewer at N in the place of the light",
         why: "R·V = 2 (N·L)(N·V) − L·V is the same for both",
         answer: |q| {
-            let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|at| vector(q, at));
-            let cosine = (2.0 * n.dot(v) * n - v).dot(l).max(0.0);
-            let shine = if cosine > 0.0 {
-                cosine.powf(q[18])
-            } else {
-                0.0
-            };
-            let height = n.dot(l);
-            let light = if height > 0.0 {
-                (k_d * height + k_s * shine) * i
-            } else {
-                DVec3::ZERO
-            };
-            light.to_array().to_vec()
+            let [n, v, l] = [0, 3, 6].map(|at| vector(q, at));
+            highlighted(q, (2.0 * n.dot(v) * n - v).dot(l))
         },
     },
     Equivalent {
@@ -115,21 +103,8 @@ pub const EQUIVALENT: &[Equivalent] = &[
         name: "halves L + V before normalising it",
         why: "a vector's length does not matter to its direction",
         answer: |q| {
-            let [n, v, l, i, k_d, k_s] = [0, 3, 6, 9, 12, 15].map(|at| vector(q, at));
-            let half = (0.5 * (l + v)).normalize_or_zero();
-            let cosine = n.dot(half);
-            let shine = if cosine > 0.0 {
-                cosine.powf(q[18])
-            } else {
-                0.0
-            };
-            let height = n.dot(l);
-            let light = if height > 0.0 {
-                (k_d * height + k_s * shine) * i
-            } else {
-                DVec3::ZERO
-            };
-            light.to_array().to_vec()
+            let [n, v, l] = [0, 3, 6].map(|at| vector(q, at));
+            highlighted(q, n.dot((0.5 * (l + v)).normalize_or_zero()))
         },
     },
     Equivalent {
@@ -173,6 +148,23 @@ pub const EQUIVALENT: &[Equivalent] = &[
         },
     },
 ];
+
+/// The light of a lamp that a surface reflects, whose highlight is a power of this cosine.
+fn highlighted(q: &[f64], cosine: f64) -> Vec<f64> {
+    let [n, l, i, k_d, k_s] = [0, 6, 9, 12, 15].map(|at| vector(q, at));
+    let shine = if cosine > 0.0 {
+        cosine.powf(q[18])
+    } else {
+        0.0
+    };
+    let height = n.dot(l);
+    let light = if height > 0.0 {
+        (k_d * height + k_s * shine) * i
+    } else {
+        DVec3::ZERO
+    };
+    light.to_array().to_vec()
+}
 
 fn vector(q: &[f64], at: usize) -> DVec3 {
     DVec3::from_slice(&q[at..])

@@ -160,15 +160,14 @@ impl Explained for TwoLevelWalk {
         // A list of a student's may hold anything.
         let square =
             |place: &u32, share: f64| cells.get(*place as usize).map(|c| shrunk(*c, share));
-        for square in right.iter().filter_map(|place| square(place, 0.94)) {
-            drawing.area(&square, Ink::Right);
-        }
-        for square in yours
-            .into_iter()
-            .flatten()
-            .filter_map(|place| square(place, 0.7))
-        {
-            drawing.area(&square, Ink::Yours);
+        for (answer, share, ink) in [(Some(right), 0.94, Ink::Right), (yours, 0.7, Ink::Yours)] {
+            for square in answer
+                .into_iter()
+                .flatten()
+                .filter_map(|place| square(place, share))
+            {
+                drawing.area(&square, ink);
+            }
         }
         for coarse in levels.top.all() {
             let cell = levels.top.bounds_of(coarse, coarse);

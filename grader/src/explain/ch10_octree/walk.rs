@@ -145,15 +145,14 @@ impl Explained for OctreeWalk {
             let square = view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3());
             Some(shrunk(square, share))
         };
-        for square in right.iter().filter_map(|node| square(node, 0.96)) {
-            drawing.area(&square, Ink::Right);
-        }
-        for square in yours
-            .into_iter()
-            .flatten()
-            .filter_map(|node| square(node, 0.75))
-        {
-            drawing.area(&square, Ink::Yours);
+        for (answer, share, ink) in [(Some(right), 0.96, Ink::Right), (yours, 0.75, Ink::Yours)] {
+            for square in answer
+                .into_iter()
+                .flatten()
+                .filter_map(|node| square(node, share))
+            {
+                drawing.area(&square, ink);
+            }
         }
         // The outlines of what the ray passes through: those behind and before it would only cover them.
         let [min, max] = [self.min, self.max].map(Vec3::as_dvec3);

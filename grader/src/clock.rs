@@ -3,6 +3,7 @@
 //! Time on the wall is what is waited for. When it is over, a program that is still at work, and has not had the processor for
 //! that long, goes on; one that sleeps, or waits for something, does not, unless it is still starting.
 
+use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
 use crate::stat::Stat;
 use crate::suspend::now;
@@ -87,7 +88,7 @@ impl Clock {
         self.usage().is_some_and(|usage| usage.at_work)
     }
 
-    /// Whether the time is over: `limit`, plus `start` for a program that has not answered anything yet.
+    /// Whether the time is over: `limit`, plus `start` for a program that has not answered anything yet; both are longer on a slow machine.
     pub(crate) fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
         if now() < self.next_look(limit) {
             return false;
@@ -115,9 +116,13 @@ impl Clock {
             (limit / LOOK + since, usage.at_work)
         });
         self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
-        let sleeps = !at_work && self.slept && elapsed >= total;
+        let sleeps = !at_work && self.slept;
         self.slept = !at_work;
-        sleeps || used >= total || elapsed >= AT_MOST * total
+        let is_over = |total| {
+            let slept = sleeps && elapsed >= total;
+            slept || used >= total || elapsed >= AT_MOST * total
+        };
+        is_over(total) && is_over(total.mul_f64(slowness()))
     }
 
     fn usage(&self) -> Option<Usage> {

@@ -56,6 +56,7 @@ pub mod search;
 pub mod seen;
 pub mod serve;
 pub mod shrink;
+mod slowness;
 pub mod stable;
 pub mod starter;
 #[cfg(target_os = "linux")]

@@ -5,7 +5,7 @@
 
 use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
-use crate::stat::Stat;
+use crate::stat::{Stat, is_of, processes};
 use crate::suspend::now;
 use std::time::{Duration, Instant};
 
@@ -135,10 +135,11 @@ impl Clock {
 pub fn usage(group: u32) -> Option<Usage> {
     let ticks = rustix::param::clock_ticks_per_second();
     let mut usage = None;
-    for (process, stat) in Stat::of_all().filter(|(_, stat)| stat.group == group) {
-        let threads = std::fs::read_dir(process.join("task"))
-            .into_iter()
-            .flatten();
+    for (_, folder) in processes().filter(|(process, _)| is_of(*process, group)) {
+        let Some(stat) = Stat::read(&folder.join("stat")) else {
+            continue;
+        };
+        let threads = std::fs::read_dir(folder.join("task")).into_iter().flatten();
         let threads = threads
             .flatten()
             .filter_map(|thread| Stat::read(&thread.path().join("stat")));

@@ -4,11 +4,13 @@ use crate::keys;
 use crate::mutex::lock;
 use crate::sandbox::Sandbox;
 #[cfg(target_os = "linux")]
-use crate::stat::Stat;
+use crate::stat::{Stat, is_of, processes};
 use crate::suspend;
 #[cfg(target_os = "linux")]
 use rustix::process::Pid;
 use std::io;
+#[cfg(target_os = "linux")]
+use std::path::Path;
 use std::process::{Child, Command, ExitStatus};
 use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, MutexGuard};
@@ -266,13 +268,19 @@ const PATIENCE: Duration = Duration::from_secs(2);
 #[cfg(target_os = "linux")]
 fn left(group: u32, mark: &str) -> impl Iterator<Item = Pid> {
     let variable = format!("{MARK}={mark}").into_bytes();
-    Stat::of_all().filter_map(move |(folder, stat)| {
+    let is_marked = move |folder: &Path| {
         let environment = std::fs::read(folder.join("environ")).unwrap_or_default();
-        let mut variables = environment.split(|&byte| byte == 0);
-        // Those that have ended are of the group too, until somebody has asked how.
-        let is_left =
-            stat.group == group && !stat.has_ended() || variables.any(|found| found == variable);
-        let number = folder.file_name()?.to_str()?.parse().ok()?;
-        is_left.then(|| Pid::from_raw(number)).flatten()
-    })
+        environment
+            .split(|&byte| byte == 0)
+            .any(|found| found == variable)
+    };
+    // Those that have ended are of the group too, until somebody has asked how.
+    let goes_on = |folder: &Path| {
+        let stat = Stat::read(&folder.join("stat"));
+        stat.is_some_and(|stat| !stat.has_ended())
+    };
+    let is_left = move |process: Pid, folder: &Path| {
+        is_of(process, group) && goes_on(folder) || is_marked(folder)
+    };
+    processes().filter_map(move |(process, folder)| is_left(process, &folder).then_some(process))
 }

@@ -181,7 +181,8 @@ impl<'a> Listening<'a> {
             Duration::ZERO
         };
         if complete || self.process.clock.is_over(limit, starting) {
-            self.process.hear_where(&mut self.printed);
+            let most = self.limits.output;
+            self.process.hear_where(&mut self.printed, most);
             return Break(Some(End::TimedOut(limit)));
         }
         let patience = self.waits.patience;

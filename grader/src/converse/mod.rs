@@ -234,16 +234,22 @@ impl Process {
     }
 
     /// Asks a program that takes too long where it is, and listens until it has ended, or has had the time for that: on a busy machine
-    /// it has to wait for the processor. The answer programs in Python tell it on standard error; others just end.
-    fn hear_where(&mut self, printed: &mut Printed) {
+    /// it has to wait for the processor; or until it has printed more than `most` bytes. The answer programs in Python tell it on standard
+    /// error; others just end.
+    fn hear_where(&mut self, printed: &mut Printed, most: usize) {
         if let Some(held) = &self.held {
             held.interrupt();
         }
         self.clock.restart();
-        loop {
+        let mut bytes = 0;
+        while bytes <= most {
             match self.next_until(self.clock.next_look(WHERE)) {
-                Ok(Event::Error(text)) => printed.complain(&text),
-                Ok(_) => {}
+                Ok(Event::Error(text)) => {
+                    bytes += text.len();
+                    printed.complain(&text);
+                }
+                Ok(Event::Answer(text) | Event::Print(text, _)) => bytes += text.len(),
+                Ok(Event::End) => {}
                 Err(RecvTimeoutError::Timeout) if !self.clock.is_over(WHERE, Duration::ZERO) => {}
                 Err(_) => break,
             }

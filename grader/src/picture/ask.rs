@@ -18,11 +18,13 @@ pub enum Pixels {
     FirstWrong,
     /// All, for a picture that is looked at.
     All,
+    /// As `Some` of who is right, whose picture was drawn before, and all of others.
+    Renewed,
 }
 
 /// One pixel of this number in reading order is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
 /// picture's rays wrong, all of 144 are right once in 1600 times.
-const STRETCH: usize = 24;
+pub const STRETCH: usize = 24;
 
 /// Asks the program a question per pixel of all the exercise's pictures.
 ///

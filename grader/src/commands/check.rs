@@ -41,7 +41,7 @@ pub struct Check {
     asking: Asking,
     #[command(flatten)]
     hidden: Hidden,
-    /// Write the pictures that the answers make into this folder; without it, a workbook keeps them in its .raybook, and those of who is right are drawn once. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
+    /// Write the pictures that the answers make into this folder; without it, a workbook keeps them in its .raybook, where one that is right is not drawn again as long as its function is right. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     #[command(flatten)]

@@ -213,7 +213,7 @@ pub fn check_all(
         program,
         exercises,
         limits,
-        pixels,
+        &|_| pixels,
         Depth::Check,
         &mut |report| {
             reports.push(report);
@@ -224,7 +224,8 @@ pub fn check_all(
     Ok(reports)
 }
 
-/// Checks several exercises as [`check_all`] does, and gives away each report when it is there. It goes on as long as it is told to.
+/// Checks several exercises as [`check_all`] does, each with `pixels` of its own, and gives away each report when it is there. It goes on
+/// as long as it is told to.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -232,12 +233,13 @@ pub fn check_each(
     program: &Program,
     exercises: &[(&dyn Examiner, Vec<Case>)],
     limits: Limits,
-    pixels: Pixels,
+    pixels: &dyn Fn(&dyn Examiner) -> Pixels,
     depth: Depth,
     each: &mut dyn FnMut(Report) -> bool,
 ) -> io::Result<()> {
     let mut asker = Asker::new(program, limits);
     for (examiner, cases) in exercises {
+        let pixels = pixels(*examiner);
         if !each(check_and_draw(&mut asker, *examiner, cases, pixels, depth)?) {
             break;
         }
@@ -246,7 +248,7 @@ pub fn check_each(
 }
 
 /// Checks an exercise, and draws its pictures: if they are wanted, and the program answers its cases; else if the cases are
-/// right, and some pixels are not. Only `FirstWrong` draws what wrong answers make, too.
+/// right, and some pixels are not. `FirstWrong` and `Renewed` draw what wrong answers make, too.
 fn check_and_draw(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
@@ -259,14 +261,17 @@ fn check_and_draw(
     ask_related(asker, examiner, &mut report)?;
     ask_further(asker, examiner, &mut report)?;
     ask_rare(asker, examiner, &mut report, depth)?;
+    let state = report.state();
     let drawn = match pixels {
         Pixels::None => false,
-        Pixels::FirstWrong if report.state() == State::Wrong => report.answers(),
-        Pixels::Some | Pixels::FirstWrong => {
-            report.state() == State::Right && !some_are_right(asker, examiner, cases)?
+        Pixels::FirstWrong if state == State::Wrong => report.answers(),
+        Pixels::Renewed if state != State::Right => report.answers(),
+        Pixels::Some | Pixels::FirstWrong | Pixels::Renewed => {
+            state == State::Right && !some_are_right(asker, examiner, cases)?
         }
         Pixels::All => report.answers(),
     };
+    let wanted = matches!(pixels, Pixels::All | Pixels::Renewed);
     if drawn {
         let draw = if pixels == Pixels::FirstWrong {
             ask_to_first_wrong
@@ -274,7 +279,7 @@ fn check_and_draw(
             ask_pixels
         };
         (report.pictures, report.stopped) = draw(asker, examiner)?;
-    } else if pixels == Pixels::All && !examiner.pictures().is_empty() {
+    } else if wanted && state != State::Right && !examiner.pictures().is_empty() {
         let is_to_do = |outcome: &Outcome| matches!(outcome.reply.said, Said::Todo(_));
         let why = if report.cases.iter().any(is_to_do) {
             "not every case has an answer. Let your program answer something, all zeros say, to what you have not written"

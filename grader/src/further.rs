@@ -42,14 +42,15 @@ pub fn judge_further<E>(
         };
         asked = all;
         rows.extend(more);
+        // What is within the narrower bounds is within the wider ones.
+        if examiner.compare_together(&rows, Bounds::DOUBT).is_ok() {
+            break;
+        }
         let verdict = examiner.compare_together(&rows, Bounds::CHANCE);
         if verdict.is_err() {
             return Ok(
                 verdict.map_err(|why| format!("and in those to {all} further questions, {why}"))
             );
-        }
-        if examiner.compare_together(&rows, Bounds::DOUBT).is_ok() {
-            break;
         }
     }
     Ok(Ok(()))
@@ -82,20 +83,28 @@ pub fn ask_further(
     // One answer alone that is not as chance makes it may be chance; two are not.
     let (mut wrong, mut certain) = (None, false);
     let verdict = judge_further(examiner, &questions, rows, |questions| {
-        let case = |question: &Vec<f64>| examiner.case("a further question", question).ok();
-        let cases: Vec<_> = questions.iter().filter_map(case).collect();
-        let question = |case: &Case| format!("{} {}", examiner.name(), case.question);
-        let replies = asker.ask(&cases.iter().map(question).collect::<Vec<_>>())?;
-        let mut answers = Vec::new();
-        for (case, reply) in cases.into_iter().zip(replies) {
+        let line = |question: &Vec<f64>| examiner.line(question);
+        let replies = asker.ask(&questions.iter().map(line).collect::<Vec<_>>())?;
+        let mut rows = Vec::new();
+        for (question, reply) in questions.iter().zip(replies) {
             match &reply.said {
-                Said::Answer(answer) => {
-                    answers.push((case.question.clone(), answer.unescaped().to_owned()));
+                Said::Answer(got) => {
+                    let read = examiner.asked().read_answer(got.unescaped()).ok();
+                    let row = read.map(|got| (question.clone(), got));
+                    let is_right = |(question, got): &Row| examiner.is_right(question, got);
+                    let right = row.as_ref().is_some_and(is_right);
+                    rows.extend(row);
+                    if right {
+                        continue;
+                    }
                 }
                 // Who has used up the time has answered everything rightly before.
                 Said::Over(_) => return Ok(None),
                 _ => {}
             }
+            let Ok(case) = examiner.case("a further question", question) else {
+                continue;
+            };
             if let Mark::Wrong(why) = judge(examiner, &case, &reply.said) {
                 let is_certain = !reply.said.is_line() || wrong.is_some();
                 wrong.get_or_insert((case, reply, why));
@@ -105,10 +114,7 @@ pub fn ask_further(
                 }
             }
         }
-        let lines = answers
-            .iter()
-            .map(|(question, answer)| (question.as_str(), answer.as_str()));
-        io::Result::Ok(Some(examiner.rows(lines)))
+        io::Result::Ok(Some(rows))
     })?;
     if let (Some((case, reply, why)), Some(last)) =
         (wrong.filter(|_| certain), report.cases.last_mut())

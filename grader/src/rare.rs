@@ -88,11 +88,7 @@ pub fn ask_rare(
     }
     let cases: Vec<_> = report.cases.iter().map(|one| one.case.clone()).collect();
     let questions = examiner.rare_questions(&cases, depth);
-    let asked = questions.iter().filter_map(|question| {
-        let case = examiner.case("a further question", question).ok()?;
-        Some((format!("{} {}", examiner.name(), case.question), case))
-    });
-    let (lines, asked): (Vec<_>, Vec<_>) = asked.unzip();
+    let lines: Vec<_> = questions.iter().map(|one| examiner.line(one)).collect();
     let mut replies = asker.ask_many(&lines)?;
     // Of thousands of answers one may be late because the machine is busy: whoever hangs, hangs again.
     let is_late = |reply: &Reply| matches!(reply.said, Said::TimedOut(_));
@@ -100,8 +96,8 @@ pub fn ask_rare(
         let again = asker.ask(&lines[late..=late])?;
         replies.splice(late..=late, again);
     }
-    let mut wrong = asked.into_iter().zip(replies).zip(&questions);
-    let wrong = wrong.find_map(|((case, reply), question)| fault(examiner, question, case, reply));
+    let mut wrong = questions.iter().zip(replies);
+    let wrong = wrong.find_map(|(question, reply)| fault(examiner, question, reply));
     if let (Some((case, reply, why)), Some(last)) = (wrong, report.cases.last_mut()) {
         let number = last.case.number;
         last.case = Case { number, ..case };
@@ -116,16 +112,14 @@ pub fn ask_rare(
 }
 
 /// A reply that is a fault, and why.
-fn fault(
-    examiner: &dyn Examiner,
-    question: &[f64],
-    case: Case,
-    reply: Reply,
-) -> Option<(Case, Reply, String)> {
-    // Who has used up the time has answered everything rightly before.
-    if matches!(reply.said, Said::Over(_)) {
-        return None;
+fn fault(examiner: &dyn Examiner, question: &[f64], reply: Reply) -> Option<(Case, Reply, String)> {
+    match &reply.said {
+        // Who has used up the time has answered everything rightly before.
+        Said::Over(_) => return None,
+        Said::Answer(got) if examiner.is_right_line(question, got.unescaped()) => return None,
+        _ => {}
     }
+    let case = examiner.case("a further question", question).ok()?;
     match judge(examiner, &case, &reply.said) {
         Mark::Wrong(why) if examiner.is_fault(question) => Some((case, reply, why)),
         _ => None,

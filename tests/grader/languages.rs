@@ -5,6 +5,7 @@
 mod any;
 mod drawn;
 mod first_hour;
+mod kept;
 mod keys;
 mod picture;
 mod python;

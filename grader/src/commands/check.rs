@@ -3,7 +3,7 @@
 use super::asking::Asking;
 use super::golden::Golden;
 use super::hidden::Hidden;
-use super::keep::keep_pictures;
+use super::keep::{keep_pictures, right_pictures};
 use super::manner::Manner;
 use super::tell::{Pictured, Telling};
 use super::unwritten::Unwritten;
@@ -22,6 +22,7 @@ use raybook_grader::progress::Progress;
 use raybook_grader::rare::Depth;
 use raybook_grader::{json, shrink};
 use rayon::prelude::*;
+use std::collections::HashMap;
 use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
@@ -40,7 +41,7 @@ pub struct Check {
     asking: Asking,
     #[command(flatten)]
     hidden: Hidden,
-    /// Write the pictures that the answers make into this folder; without it, a workbook keeps them in its .raybook. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
+    /// Write the pictures that the answers make into this folder; without it, a workbook keeps them in its .raybook, where one that is right is not drawn again as long as its function is right. Elsewhere a few pixels are asked, and all if one of these is wrong: pictures count like cases
     #[arg(long, value_name = "FOLDER")]
     pictures: Option<PathBuf>,
     #[command(flatten)]
@@ -80,13 +81,14 @@ fn find_smallest(
 impl Check {
     /// Checks, and tells; true if everything that was asked for is right.
     pub fn run(&self) -> Done {
-        let reports = self.reports()?;
+        let reports = self.reports(self.manner.json)?;
         let is_right = |report: &Report| report.state() == State::Right;
         Ok(reports.iter().all(is_right))
     }
 
-    /// Checks, and tells; returns what became of each exercise.
-    pub fn reports(&self) -> Result<Vec<Report>, Box<dyn Error>> {
+    /// Checks, and tells; returns what became of each exercise, and if they are to be `drawn` all its pictures, else those that are not
+    /// there yet.
+    pub fn reports(&self, drawn: bool) -> Result<Vec<Report>, Box<dyn Error>> {
         let (from, examiners) = self.target.resolve()?;
         let examiners = self.golden.replace(examiners)?;
         if self.case.is_some() && examiners.len() != 1 {
@@ -103,19 +105,31 @@ impl Check {
             .map(|examiner| Ok((*examiner, self.cases(*examiner, key.as_ref())?)));
         let exercises = exercises.collect::<Result<Vec<_>, String>>()?;
         let limits = self.asking.limits();
-        let pixels = match (self.case, &gallery) {
+        let is_kept = self.pictures.is_none() && key.is_none() && !drawn;
+        let before = gallery.as_deref().filter(|_| is_kept);
+        let before = |one: &&dyn Examiner| Some((one.name(), right_pictures(*one, before?)?));
+        let mut before: HashMap<_, _> = examiners.par_iter().filter_map(before).collect();
+        let pixels = |examiner: &dyn Examiner| match (self.case, &gallery) {
             (Some(_), _) => Pixels::None,
             (None, None) => Pixels::Some,
+            (None, Some(_)) if before.contains_key(examiner.name()) => Pixels::Renewed,
             (None, Some(_)) => Pixels::All,
         };
         // With a course's key, as a class is graded.
         let depth = key.as_ref().map_or(Depth::Check, |_| Depth::Grade);
         let mut reports = Vec::new();
-        check_each(&program, &exercises, limits, pixels, depth, &mut |report| {
-            reports.push(report);
-            bar.inc(1);
-            true
-        })?;
+        check_each(
+            &program,
+            &exercises,
+            limits,
+            &pixels,
+            depth,
+            &mut |report| {
+                reports.push(report);
+                bar.inc(1);
+                true
+            },
+        )?;
         bar.finish_and_clear();
         if self.case.is_none() && key.is_none() {
             find_smallest(&program, limits, &exercises, &mut reports)?;
@@ -123,9 +137,11 @@ impl Check {
         // What cannot be written must not keep the verdict back.
         let mut unwritten = Unwritten::default();
         let mut pictured = Vec::new();
-        for report in reports {
-            let picture = unwritten.or_none(keep_pictures(&report, gallery.as_deref()));
-            pictured.push((report, picture.flatten()));
+        for (report, (examiner, _)) in reports.into_iter().zip(&exercises) {
+            let picture = unwritten.or_none(keep_pictures(&report, *examiner, gallery.as_deref()));
+            let is_before = report.pictures.is_empty() && report.state() == State::Right;
+            let before = before.remove(report.exercise).filter(|_| is_before);
+            pictured.push((report, picture.flatten().or(before)));
         }
         let reports = pictured;
         if let (Some(folder), None, None) = (&folder, self.case, &key) {

@@ -54,6 +54,24 @@ impl dyn Examiner + '_ {
         verdict
     }
 
+    /// A question as the line that a program is asked.
+    pub(crate) fn line(&self, question: &[f64]) -> String {
+        let asked = self.asked();
+        format!("{} {}", asked.name, row::format(asked.question, question))
+    }
+
+    /// Whether an answer is right: the verdict of [`Self::judge`], with nothing in words.
+    pub(crate) fn is_right(&self, question: &[f64], got: &[f64]) -> bool {
+        let golden = self.reference(question);
+        golden.is_ok_and(|golden| self.verdict(question, &golden, got).is_ok())
+    }
+
+    /// The same of an answer in words.
+    pub(crate) fn is_right_line(&self, question: &[f64], got: &str) -> bool {
+        let got = self.asked().read_answer(got);
+        got.is_ok_and(|got| self.is_right(question, &got))
+    }
+
     /// Judges an answer against a right one.
     ///
     /// # Errors

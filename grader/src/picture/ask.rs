@@ -5,6 +5,7 @@ use crate::examine::{Case, Examiner};
 use crate::picture::triple::{PictureSize, Triple, triple};
 use rand::RngExt;
 use raybook::math::pcg;
+use raybook_workbook::row;
 use std::io;
 
 /// Which pixels of an exercise's pictures are asked.
@@ -18,11 +19,13 @@ pub enum Pixels {
     FirstWrong,
     /// All, for a picture that is looked at.
     All,
+    /// As `Some` of who is right, whose picture was drawn before, and all of others.
+    Renewed,
 }
 
 /// One pixel of this number in reading order is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
 /// picture's rays wrong, all of 144 are right once in 1600 times.
-const STRETCH: usize = 24;
+pub const STRETCH: usize = 24;
 
 /// Asks the program a question per pixel of all the exercise's pictures.
 ///
@@ -71,17 +74,16 @@ pub fn some_are_right(
     cases: &[Case],
 ) -> io::Result<bool> {
     let questions = some_questions(examiner, cases);
-    let (answers, _) = ask(asker, examiner, &questions)?;
-    let is_right = |question: &String, got: &Option<String>| {
-        let golden = examiner.answer_line(question).ok()?;
-        examiner.judge(question, &[golden], got.as_ref()?).ok()
-    };
+    let line = |question: &Vec<f64>| row::format(examiner.asked().question, question);
+    let lines: Vec<_> = questions.iter().map(line).collect();
+    let (answers, _) = ask(asker, examiner, &lines)?;
+    let is_right = |question: &[f64], got: &str| examiner.is_right_line(question, got);
     let mut asked = questions.iter().zip(&answers);
-    Ok(asked.all(|(question, got)| is_right(question, got).is_some()))
+    Ok(asked.all(|(question, got)| got.as_ref().is_some_and(|got| is_right(question, got))))
 }
 
-/// The questions of some pixels: one of each stretch of `STRETCH`.
-pub fn some_questions(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
+/// The questions of some pixels, in numbers: one of each stretch of `STRETCH`.
+pub fn some_questions(examiner: &dyn Examiner, cases: &[Case]) -> Vec<Vec<f64>> {
     let bytes = cases.iter().flat_map(|case| case.question.bytes());
     let seed = bytes.fold(0_u64, |seed, byte| {
         seed.wrapping_mul(257).wrapping_add(u64::from(byte))
@@ -92,7 +94,7 @@ pub fn some_questions(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     {
         for first in (0..width * height).step_by(STRETCH) {
             let i = (first + rng.random_range(0..STRETCH as u32)).min(width * height - 1);
-            questions.push(examiner.pixel_question(picture, i % width, i / width));
+            questions.push(examiner.pixel_numbers(picture, i % width, i / width));
         }
     }
     questions

@@ -17,7 +17,15 @@ pub fn right(report: &Report, path: &Path) -> Vec<String> {
     } else {
         String::new()
     };
-    let mut lines = vec![format!("    your picture: {}{but}", Untrusted::from(path))];
+    let drawn = if report.pictures.is_empty() {
+        ", drawn before"
+    } else {
+        ""
+    };
+    let mut lines = vec![format!(
+        "    your picture: {}{but}{drawn}",
+        Untrusted::from(path)
+    )];
     lines.extend(stopped(report));
     if several {
         lines.extend(scores(&report.pictures));

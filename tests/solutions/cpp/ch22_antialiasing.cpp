@@ -69,7 +69,7 @@ std::vector<Vec2> poisson_disk(double distance, unsigned seed) {
     for (int missed = 0; missed < 3000; missed++) {
         const double x = random(), y = random();
         if (std::all_of(points.begin(), points.end(),
-                [&](const Vec2& p) { return std::hypot(p.x - x, p.y - y) >= distance; })) {
+                [&](const Vec2& p) { return (p.x - x) * (p.x - x) + (p.y - y) * (p.y - y) >= distance * distance; })) {
             points.push_back({x, y});
             missed = 0;
         }

@@ -21,17 +21,27 @@ def cells_of(low: Vec3, high: Vec3, n: Resolution) -> Iterator[Tuple[Vec3, Vec3]
         yield corner, corner + size
 
 
+def slab(start: float, size: float, i: int, axis: int, shapes: list[Corners]) -> set[int]:
+    """The shapes that overlap cell i along an axis."""
+    low = start + i * size
+    return {k for k, shape in enumerate(shapes) if shape.min[axis] <= low + size and low <= shape.max[axis]}
+
+
 def refine_cell(min_: Vec3, max_: Vec3, density: float, shapes: list[Corners]) -> RefineCellAnswer:
-    """Cell by cell: which shapes overlap it?"""
+    """Cell by cell: which shapes overlap it? They do if they do along each axis."""
     if not shapes:
         return RefineCellAnswer(0, 0, 0, [])
     along = grid_resolution(max_ - min_, len(shapes), density)
     n = Resolution(*(min(count, 255) for count in (along.x, along.y, along.z)))
-    entries = []
-    for i, (low, high) in enumerate(cells_of(min_, max_, n)):
-        for number, shape in enumerate(shapes):
-            if all(shape.min[a] <= high[a] and low[a] <= shape.max[a] for a in range(3)):
-                entries.append(Entry(i % n.nx, i // n.nx % n.ny, i // n.nx // n.ny, number))
+    along_x, along_y, along_z = (
+        [slab(min_[a], (max_[a] - min_[a]) / count, i, a, shapes) for i in range(count)]
+        for a, count in enumerate((n.nx, n.ny, n.nz))
+    )
+    entries = [
+        Entry(x, y, z, number)
+        for z, y, x in product(range(n.nz), range(n.ny), range(n.nx))
+        for number in sorted(along_x[x] & along_y[y] & along_z[z])
+    ]
     return RefineCellAnswer(n.nx, n.ny, n.nz, entries)
 
 

@@ -61,15 +61,18 @@ def visible_fraction(
     rng = random.Random(16)
     area = a.cross(b)
 
-    def free(p: Vec3, way: Vec3, ball: Ball) -> bool:
-        along = min(max((ball.center - p).dot(way) / way.dot(way), 0.0), 1.0)
-        return (p + along * way - ball.center).length() > ball.radius
+    def free(to: Vec3, way: Vec3, radius: float) -> bool:
+        """The ball's centre lies `to` away from where the way begins."""
+        along = min(max(to.dot(way) / way.dot(way), 0.0), 1.0)
+        return (along * way - to).length() > radius
 
     fractions = []
     for p in points:
         seen = 0
+        to_corner = corner - p
+        spheres = [(ball.center - p, ball.radius) for ball in balls]
         for _ in range(samples):
-            way = corner + rng.random() * a + rng.random() * b - p
-            seen += way.dot(area) < 0 and all(free(p, way, ball) for ball in balls)
+            way = to_corner + rng.random() * a + rng.random() * b
+            seen += way.dot(area) < 0 and all(free(to, way, radius) for to, radius in spheres)
         fractions.append(seen / samples)
     return fractions

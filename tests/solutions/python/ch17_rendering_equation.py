@@ -53,19 +53,20 @@ def reflected_radiance(
     rng = random.Random(samples)
     mirrored = 2 * normal.dot(view) * normal - view
     lobes = [
-        (power, [[axis.dot(to) for axis in (*axes(pole), pole)] for to in (normal, mirrored, zenith)])
+        (power, [axis.dot(to) for to in (normal, mirrored, zenith) for axis in (*axes(pole), pole)])
         for power, pole in ((1, normal), (exponent, mirrored))
     ]
     matte = shine = 0.0
     for i in range(samples):
-        power, frame = lobes[i % 2]
+        power, (nx, ny, nz, mx, my, mz, zx, zy, zz) = lobes[i % 2]
         z = rng.random() ** (1 / (power + 1))
         r, phi = math.sqrt(1 - z * z), math.tau * rng.random()
         x, y = r * math.cos(phi), r * math.sin(phi)
-        cosine, gleam, up = [a * x + b * y + c * z for a, b, c in frame]
+        cosine = nx * x + ny * y + nz * z
         if cosine <= 0:
             continue
-        highlight = max(gleam, 0.0) ** exponent
+        gleam, up = mx * x + my * y + mz * z, zx * x + zy * y + zz * z
+        highlight = gleam**exponent if gleam > 0 else 0.0
         density = 0.5 * cosine / math.pi + 0.5 * (exponent + 1) / math.tau * highlight
         light = (0.5 + 0.5 * up) * cosine / density / samples
         matte += light

@@ -50,16 +50,19 @@ def poisson_disk(distance: float, seed: int) -> list[Vec2]:
     rng = random.Random(seed)
     side = distance / math.sqrt(2)
     cells: dict[tuple[int, int], Vec2] = {}
+    around = sorted(product(range(-2, 3), repeat=2), key=lambda cell: cell[0] ** 2 + cell[1] ** 2)
     missed = 0
     while missed < 2000:
         p = Vec2(rng.random(), rng.random())
         i, j = int(p.x / side), int(p.y / side)
-        near = (cells.get((i + a, j + b)) for a, b in product(range(-2, 3), repeat=2))
-        if all(q is None or math.hypot(p.x - q.x, p.y - q.y) >= distance for q in near):
+        for a, b in around:
+            q = cells.get((i + a, j + b))
+            if q is not None and (p.x - q.x) ** 2 + (p.y - q.y) ** 2 < distance * distance:
+                missed += 1
+                break
+        else:
             cells[i, j] = p
             missed = 0
-        else:
-            missed += 1
     return list(cells.values())
 
 

@@ -300,11 +300,14 @@ fn room(points: &[Vec2], d: f32) -> f32 {
         from - 1..=to + 1
     };
     for p in points {
-        for (x, y) in near(p.y).flat_map(|y| near(p.x).map(move |x| (x, y))) {
-            let probe = (vec2(x as f32, y as f32) + 0.5) / side as f32;
-            if p.distance_squared(probe) <= d * d {
-                let place = y.rem_euclid(side) * side + x.rem_euclid(side);
-                free[place as usize] = false;
+        for y in near(p.y) {
+            let up = (y as f32 + 0.5) / side as f32 - p.y;
+            for x in near(p.x) {
+                let right = (x as f32 + 0.5) / side as f32 - p.x;
+                if right * right + up * up <= d * d {
+                    let place = y.rem_euclid(side) * side + x.rem_euclid(side);
+                    free[place as usize] = false;
+                }
             }
         }
     }

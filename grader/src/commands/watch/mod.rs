@@ -130,7 +130,8 @@ impl Watch {
             return Ok(None);
         };
         let alone = page.as_ref().map(|page| page.alone());
-        let (checked, waiting) = meanwhile(folder, || told_if_wrong(check.reports()));
+        let drawn = page.is_some(); // it shows them, and they answer to clicks
+        let (checked, waiting) = meanwhile(folder, || told_if_wrong(check.reports(drawn)));
         drop(alone);
         if let Some(page) = page {
             page.show(checked);

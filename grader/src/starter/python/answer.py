@@ -134,7 +134,7 @@ def tell(lines: List[bytes]) -> None:
     for name, alike in itertools.groupby(texts, name_of):
         for said in answers(name, list(alike)):
             # What the function printed may have left the line open, and an answer begins one.
-            print(f"\n= {said}", flush=True)
+            print(f"\n= {said}\n", end="", flush=True)
 
 
 if __name__ == "__main__":

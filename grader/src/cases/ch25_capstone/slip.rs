@@ -58,6 +58,8 @@ pub enum Slip {
     FresnelTurned,
     Schlick,
     HalfMirrored,
+    MirroredAsFromStraightAbove,
+    FourPercentMirrored,
     OnePolarisation,
     AlwaysCrownGlass,
     NoTotalReflection,

@@ -115,6 +115,8 @@ impl Tracer<'_> {
                         fresnel(ray.direction.dot(*normal), here, there).unpolarised
                     }
                     Slip::HalfMirrored => 0.5,
+                    Slip::FourPercentMirrored => 0.04,
+                    Slip::MirroredAsFromStraightAbove => fresnel(1.0, here, there).unpolarised,
                     Slip::OnePolarisation => fresnel(-ray.direction.dot(*normal), here, there).s,
                     Slip::Schlick => schlick(-ray.direction.dot(*normal), here, there),
                     _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,

@@ -95,7 +95,7 @@ impl Found {
             return false;
         }
         if tells >= 1.0 {
-            let own = missed == 0 && self.is_own();
+            let own = missed == 0 && self.is_own() && !self.is_categorical();
             contradicted <= explained
                 || own
                 || missed == 0 && self.fitted == 0 && contradicted <= SOME * explained
@@ -144,8 +144,14 @@ impl Found {
             Scope::Part(part) => Some(evidence.parts[part].name.clone()),
             Scope::Shape => Some("the number of answers".to_owned()),
         };
+        // A mistake of the whole function shows in more answers than it is contradicted by.
+        let only = if self.is_own() && self.score.contradicted > self.score.explained {
+            ", but only in some cases"
+        } else {
+            ""
+        };
         let one = |name: &String, hint: &String, beside: Beside| Diagnosis {
-            name: name.clone(),
+            name: format!("{name}{only}"),
             hint: hint.clone(),
             part: part.clone(),
             certain: self.is_certain(),

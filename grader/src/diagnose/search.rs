@@ -45,7 +45,8 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
             one.key() == best.key() && one.name != best.name
         }
     };
-    if best.is_complete() {
+    // Of two mistakes at once, half of another pair tells nothing.
+    if best.is_complete() && best.then.is_none() {
         let rival = found.find(as_good);
         best.rival = rival.map(|rival| (rival.name, rival.hint));
     }

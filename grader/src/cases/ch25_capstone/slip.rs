@@ -42,6 +42,7 @@ pub enum Slip {
     AlwaysFromOutside,
     FarOff,
     MirrorsWithoutColour,
+    AmbientOnMirrors,
     NoBackdropInMirrors,
     OneSurfaceLess,
     OneSurfaceMore,

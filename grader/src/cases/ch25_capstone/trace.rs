@@ -478,6 +478,11 @@ impl Graded for Trace {
             hint: "Which glass mirrors 4 %, and from where do you look at it? By which formula do angle and index come in?",
             answer: |q| answer(q, Slip::FourPercentMirrored),
         },
+        Mistake {
+            name: "adds the ambient light to what a mirror shows",
+            hint: "Which of the three materials has a share of ambient light, and which show only what others send?",
+            answer: |q| answer(q, Slip::AmbientOnMirrors),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

@@ -76,10 +76,10 @@ impl Tracer<'_> {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
             Matter::Mirror(mirror) => {
                 let seen = see(reflect(ray.direction, normal));
-                if self.is(Slip::MirrorsWithoutColour) {
-                    seen
-                } else {
-                    mirror.share * seen
+                match self.slip {
+                    Slip::MirrorsWithoutColour => seen,
+                    Slip::AmbientOnMirrors => mirror.share * seen + self.scene.ambient,
+                    _ => mirror.share * seen,
                 }
             }
             Matter::Glass(clear) => {

@@ -6,7 +6,7 @@ mod orders;
 mod undone;
 
 use super::evidence::{Evidence, Scope};
-use super::function::FUNCTIONS;
+use super::function::{COMMON, FUNCTIONS};
 use super::number::named;
 use super::scalars::scalars;
 use crate::layout::{Leaf, each, layout};
@@ -41,9 +41,6 @@ struct Pair {
 
 /// What is made of a value: of which item, and its numbers.
 type Make<'a> = dyn Fn(usize, &mut [f64]) + 'a;
-
-/// The rank of the last function that is common.
-const COMMON: u32 = 11;
 
 /// The rank of functions that whole numbers may be mistaken by: powers, the reciprocal, and 1 minus the number.
 const OF_WHOLE: u32 = 10;

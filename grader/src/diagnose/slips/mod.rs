@@ -60,10 +60,16 @@ impl Slipped {
         matches!(self.slip, Slip::Sides(..))
     }
 
-    /// Whether another slip can be made on the same way.
-    pub fn goes_with(&self, other: &Self) -> bool {
-        let both_change = matches!((self.slip, other.slip), (Slip::Value(..), Slip::Value(..)));
-        self.way == other.way && (both_change || self.slip.place() != other.slip.place())
+    /// Whether another slip can be made on the same way too.
+    pub fn goes_with(&self, with: &Self) -> bool {
+        // Of one value its numbers by themselves, as their signs, and all together, as its length.
+        let apart = |one: Slip, other: Slip| {
+            matches!(one, Slip::Value(_, Change::Each(_)))
+                && matches!(other, Slip::Value(_, Change::Together(_)))
+        };
+        let (one, other) = (self.slip, with.slip);
+        let elsewhere = one.place() != other.place();
+        self.way == with.way && (elsewhere || apart(one, other) || apart(other, one))
     }
 
     /// How many steps the way to an answer has.
@@ -182,19 +188,16 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
-    // One answer for all questions that are wrong is a branch's, and by chance that of some function which changes no other number.
-    let rarest_function = if evidence.is_one_answer() {
-        COMMON_FUNCTION
-    } else {
-        u32::MAX
-    };
+    // What is wrong in one case only, or one answer for all that are wrong, is a branch's, and by chance that of many a function; but not
+    // of one that leaves most numbers as they are.
+    let is_one = evidence.wrong == 1 || evidence.is_one_answer();
     // Of yes and no a decision or a loop is rather wrong than a number.
     let seldom = if evidence.tells_much() { 0 } else { 2 };
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
         let changes =
-            changes(step, has_angles, rarest_function).filter(|(_, _, rank, _)| *rank <= rarest);
+            changes(step, has_angles, is_one).filter(|(_, _, rank, _)| *rank <= rarest);
         for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
@@ -306,9 +309,6 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
 
-/// The rank of the last function that is common.
-const COMMON_FUNCTION: u32 = 11;
-
 /// The rank of a condition that is not asked, and of an operation that is forgotten: they are simpler than a value that does the same.
 const LEFT_OUT: u32 = 8;
 
@@ -341,14 +341,14 @@ const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, 
 fn changes(
     step: &Step,
     has_angles: bool,
-    rarest_function: u32,
+    is_one: bool,
 ) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
     let size = step.value.len();
     let common = COMMON.iter().filter(move |one| one.suits(size));
     let common = common.map(|one| (one.called(step.axes), None, one.rank, one.change));
     let functions = FUNCTIONS
         .iter()
-        .filter(move |one| one.rank <= rarest_function)
+        .filter(move |one| !is_one || one.is_selective())
         .filter(move |one| one.suits(&step.value, step.unit, has_angles));
     let functions = functions.map(|function| {
         let name = function.name.replace("the answer", "the value");

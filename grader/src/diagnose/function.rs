@@ -52,7 +52,12 @@ impl Function {
             Takes::Angle => unit == "rad" || unit.is_empty(),
             Takes::Units => unit == "rad" || unit.is_empty() && has_angles,
         };
-        is_angle && value.iter().all(|v| (self.of)(*v).is_finite())
+        // What counts something has no cosine.
+        let counts = |v: &f64| v.fract() == 0.0 && v.abs() > 1.0;
+        is_angle
+            && value
+                .iter()
+                .all(|v| (self.of)(*v).is_finite() && !counts(v))
     }
 }
 

@@ -16,6 +16,9 @@ const ERRORS: f64 = 3.0;
 /// Of what explains next to all, this share of the distance is left at most.
 const NEAR: f64 = 0.2;
 
+/// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
+const SURE: f64 = 0.1;
+
 /// Traits this close are the same.
 const CLOSE: f64 = 2e-3;
 
@@ -185,7 +188,10 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         name: name.clone(),
         hint: hint.clone(),
         part: None,
-        certain: *rank == 0 && rivals.next().is_none() && is_near && given >= MOST,
+        certain: *rank == 0
+            && rivals.next().is_none()
+            && *rest < SURE * whole.norm()
+            && given >= MOST,
         explained: evidence.wrong,
         wrong: evidence.wrong,
         shown: None,

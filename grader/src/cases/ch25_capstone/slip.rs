@@ -64,6 +64,7 @@ pub enum Slip {
     OnePolarisation,
     AlwaysCrownGlass,
     NoTotalReflection,
+    RefractionNotCounted,
     Clamped,
     Encoded,
     Gamma,

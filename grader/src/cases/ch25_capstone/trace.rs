@@ -483,6 +483,11 @@ impl Graded for Trace {
             hint: "Which of the three materials has a share of ambient light, and which show only what others send?",
             answer: |q| answer(q, Slip::AmbientOnMirrors),
         },
+        Mistake {
+            name: "does not count the surfaces that a refracted ray has met",
+            hint: "A ray enters a ball of glass and leaves it: how many surfaces are that, and how many does your depth count?",
+            answer: |q| answer(q, Slip::RefractionNotCounted),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

@@ -123,10 +123,15 @@ impl Tracer<'_> {
                 };
                 let off_along_it =
                     self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
-                let through = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
-                    see_from(wrong_side(&at, refracted))
+                let behind = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
+                    wrong_side(&at, refracted)
                 } else {
-                    see_from(self.leave(&at, refracted))
+                    self.leave(&at, refracted)
+                };
+                let through = if self.is(Slip::RefractionNotCounted) {
+                    self.radiance(&behind, depth, false)
+                } else {
+                    see_from(behind)
                 };
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {

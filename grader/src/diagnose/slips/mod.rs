@@ -196,8 +196,7 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
-        let changes =
-            changes(step, has_angles, is_one).filter(|(_, _, rank, _)| *rank <= rarest);
+        let changes = changes(step, has_angles, is_one).filter(|(_, _, rank, _)| *rank <= rarest);
         for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
@@ -244,15 +243,16 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         );
         add(name, hint, operation.rank, operation.slip);
     }
-    for (name, hint, rank, slip) in branches(&passed) {
+    for (name, hint, rank, slip) in branches(&passed, evidence.wrong == 1) {
         add(name, hint, rank, slip);
     }
     all
 }
 
 /// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.
-fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
+fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Slip)> {
     let mut all = Vec::new();
+    let rarest_side = if is_one { LAST_SIDE } else { u32::MAX };
     for one in &passed.decisions {
         let (name, place) = (one.name, one.place);
         let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
@@ -274,7 +274,8 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
             add(tie, CONDITION, 10, Slip::Tie(place));
-            for (rank, what, of) in SIDES {
+            // Of one wrong answer some number to compare with makes any other.
+            for (rank, what, of) in SIDES.iter().filter(|(rank, ..)| *rank <= rarest_side) {
                 let sides = format!("{what} when it decides whether {name}");
                 add(sides, CONDITION, *rank, Slip::Sides(place, *of));
             }
@@ -308,6 +309,9 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
 
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
+
+/// The rank of the last of two sides that are compared without a number that is added.
+const LAST_SIDE: u32 = 11;
 
 /// The rank of a condition that is not asked, and of an operation that is forgotten: they are simpler than a value that does the same.
 const LEFT_OUT: u32 = 8;

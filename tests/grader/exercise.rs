@@ -125,7 +125,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ),
         (
             "octree_child",
-            "Asked just at a threshold, where last digits of the question decide: \"in the middle\", \"on one middle plane\".",
+            "Asked just at a threshold, where last digits of the question decide: \"in the middle\", \"on one middle plane\", \"on the middle plane of x\", \"on the middle plane of z\".",
         ),
         (
             "plane_hit",

@@ -14,6 +14,9 @@ const NEARLY: usize = 6;
 /// What is rarer than this is told only if it explains nearly all wrong answers, and to the last digits.
 const RARE: u32 = 26;
 
+/// What is made in some cases only must explain answers that tell this much.
+const PARTLY: f64 = 2.0;
+
 /// An explanation, and how well it agrees.
 pub struct Found {
     pub name: String,
@@ -55,6 +58,20 @@ impl Found {
         self.is_complete() || is_near && self.then.is_none() && self.is_sharp()
     }
 
+    /// Whether it gives all wrong answers to the last digits, several that tell much, so that it is no chance, whatever the right ones are.
+    pub fn is_partly(&self) -> bool {
+        let Score {
+            explained,
+            missed,
+            sharp,
+            tells,
+            is_doubtful,
+            ..
+        } = self.score;
+        let is_exact = missed == 0 && sharp == explained && !is_doubtful;
+        is_exact && self.fitted == 0 && tells >= PARTLY
+    }
+
     /// Whether most of what it explains is as it says to the last digits. Guesses are many: within a judge's tolerance, one or another
     /// fits by chance.
     fn is_sharp(&self) -> bool {
@@ -78,7 +95,7 @@ impl Found {
             return false;
         }
         if tells >= 1.0 {
-            let own = missed == 0 && self.is_own();
+            let own = missed == 0 && self.is_own() && !self.is_categorical();
             contradicted <= explained
                 || own
                 || missed == 0 && self.fitted == 0 && contradicted <= SOME * explained
@@ -93,6 +110,7 @@ impl Found {
             contradicted,
             strays,
             tells,
+            is_rough,
             is_doubtful,
             ..
         } = self.score;
@@ -103,8 +121,10 @@ impl Found {
             (false, true) => f64::INFINITY,
             (false, false) => 2.0 + f64::from(self.fitted),
         };
-        // Pairs of mistakes are many, and one may fit by chance.
+        // Pairs of mistakes are many, and one may fit by chance; and estimates are on the whole too large for many a reason.
+        let is_guessed = is_rough && self.fitted > 0;
         missed == 0
+            && !is_guessed
             && (self.is_own() || self.is_sharp())
             && contradicted + strays == 0
             && !is_doubtful
@@ -124,8 +144,14 @@ impl Found {
             Scope::Part(part) => Some(evidence.parts[part].name.clone()),
             Scope::Shape => Some("the number of answers".to_owned()),
         };
+        // A mistake of the whole function shows in more answers than it is contradicted by.
+        let only = if self.is_own() && self.score.contradicted > self.score.explained {
+            ", but only in some cases"
+        } else {
+            ""
+        };
         let one = |name: &String, hint: &String, beside: Beside| Diagnosis {
-            name: name.clone(),
+            name: format!("{name}{only}"),
             hint: hint.clone(),
             part: part.clone(),
             certain: self.is_certain(),

@@ -28,11 +28,20 @@ enum Takes {
     Units,
 }
 
+/// The rank of the last function that is common.
+pub const COMMON: u32 = 11;
+
 impl Function {
     /// Whether it is the same number whatever the right one is.
     pub fn is_constant(&self) -> bool {
         let [first, others @ ..] = [0.3, 1.7, -1.7].map(self.of);
         others.iter().all(|other| *other == first)
+    }
+
+    /// Whether it leaves most numbers as they are: a limit, or a sign that is lost.
+    pub fn is_selective(&self) -> bool {
+        let is_limit = self.rank <= COMMON && [0.3, 0.7].into_iter().all(|v| (self.of)(v) == v);
+        is_limit || self.is_constant()
     }
 
     /// Whether a value can be taken for what the function takes: a length has no cosine, 2 has no arc cosine, and a number without
@@ -43,7 +52,12 @@ impl Function {
             Takes::Angle => unit == "rad" || unit.is_empty(),
             Takes::Units => unit == "rad" || unit.is_empty() && has_angles,
         };
-        is_angle && value.iter().all(|v| (self.of)(*v).is_finite())
+        // What counts something has no cosine.
+        let counts = |v: &f64| v.fract() == 0.0 && v.abs() > 1.0;
+        is_angle
+            && value
+                .iter()
+                .all(|v| (self.of)(*v).is_finite() && !counts(v))
     }
 }
 

@@ -222,6 +222,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or(seen)
         .or(likely)
         .or(parts)
+        .or_else(|| partly(evidence, &readings))
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
 }
@@ -289,6 +290,20 @@ fn of_parts(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<Diagnosis> 
     }
     found.sort_by_key(|one| (!one.certain, std::cmp::Reverse(one.explained)));
     found
+}
+
+/// What explains all wrong answers, and is made in these cases only.
+fn partly(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
+    let told = search::partly(evidence, readings)?.told(evidence);
+    let only = regime::shared(evidence).map_or_else(
+        || "in some cases".to_owned(),
+        |words| format!("where {words}"),
+    );
+    Some(Diagnosis {
+        name: format!("{}, but only {only}", told.name),
+        certain: false,
+        ..told
+    })
 }
 
 /// What explains some of the wrong answers, and what explains others.

@@ -1,4 +1,4 @@
-//! Explanations by two mistakes, one after the other.
+//! Explanations by two mistakes, one after the other or beside each other.
 
 use super::MOST;
 use super::evidence::{Evidence, Scope};
@@ -64,6 +64,87 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 score,
                 answers,
             });
+        }
+    }
+}
+
+/// What two mistakes make of a right answer together.
+type Together = fn(right: f64, one: f64, other: f64) -> f64;
+
+/// Each changes a summand of its own, or a factor of its own.
+const TOGETHER: [Together; 2] = [
+    |right, one, other| one + other - right,
+    |right, one, other| {
+        if right == 0.0 {
+            one + other
+        } else {
+            one * other / right
+        }
+    },
+];
+
+/// The answer of two mistakes that do not meddle with each other: where one does not show, it is the other's.
+fn of_two(right: &[f64], one: &[f64], other: &[f64], together: Together) -> Option<Vec<f64>> {
+    if one == right {
+        return Some(other.to_vec());
+    }
+    if other == right {
+        return Some(one.to_vec());
+    }
+    let is_alike = one.len() == right.len() && other.len() == right.len();
+    let each = right.iter().zip(one.iter().zip(other));
+    is_alike.then(|| {
+        each.map(|(right, (one, other))| together(*right, *one, *other))
+            .collect()
+    })
+}
+
+/// Explanations by two of the exercise's own mistakes, each in another summand, factor or branch.
+pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
+    let examiner = evidence.examiner;
+    let Some(probe) = evidence.probe(PROBE) else {
+        return;
+    };
+    if probe.wrong < 3 || !probe.tells_much() || !evidence.is_judged() {
+        return;
+    }
+    let mistakes = examiner.mistakes();
+    let answers = |i: usize, of: &Evidence<'_>| -> Answers {
+        let answer = |question: &[f64]| attempt(|| examiner.mistake_answers(i, question)).flatten();
+        of.items.iter().map(|item| answer(&item.question)).collect()
+    };
+    let few: Vec<_> = (0..mistakes.len()).map(|i| answers(i, &probe)).collect();
+    let made = |of: &Evidence<'_>, one: &Answers, other: &Answers, together, k: usize| {
+        let (one, other) = (one[k].as_ref()?, other[k].as_ref()?);
+        of_two(of.items[k].golden(), one, other, together)
+    };
+    for (i, one) in few.iter().enumerate() {
+        for (j, other) in few[..i].iter().enumerate() {
+            for together in TOGETHER {
+                let promises = probe.score(0.99, |k| made(&probe, one, other, together, k));
+                if promises.is_none() {
+                    continue;
+                }
+                let (one, other) = (answers(i, evidence), answers(j, evidence));
+                let answers: Answers = (0..evidence.items.len())
+                    .map(|k| made(evidence, &one, &other, together, k))
+                    .collect();
+                let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+                    continue;
+                };
+                let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
+                let (name, hint) = told(j);
+                found.push(Found {
+                    name,
+                    hint,
+                    then: Some(told(i)),
+                    rival: None,
+                    rank: 44,
+                    fitted: 0,
+                    score,
+                    answers,
+                });
+            }
         }
     }
 }

@@ -50,7 +50,7 @@ pub fn add_to(seen: &mut Diagnosis, evidence: &Evidence<'_>) {
 }
 
 /// What the questions with a wrong answer have in common, and no others.
-fn shared(evidence: &Evidence<'_>) -> Option<String> {
+pub fn shared(evidence: &Evidence<'_>) -> Option<String> {
     let (wrong, right) = evidence.items.split_at(evidence.wrong);
     if wrong.is_empty() || right.len() < RIGHT.max(wrong.len()) {
         return None;

@@ -5,7 +5,7 @@ use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::Misreading;
-use super::pairs::{both, pairs};
+use super::pairs::{both, composed, pairs};
 use super::slips::{goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
@@ -18,6 +18,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
     plain(evidence, readings, MOST, &mut found);
     if !found.iter().any(Found::is_complete) && evidence.scope != Scope::Shape {
         pairs(evidence, readings, &mut found);
+        composed(evidence, &mut found);
         // One slip that explains all but a few answers, which rounding decides, is simpler than two.
         if !found.iter().any(Found::is_nearly_the_one) {
             both(evidence, &mut found);
@@ -44,7 +45,8 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
             one.key() == best.key() && one.name != best.name
         }
     };
-    if best.is_complete() {
+    // Of two mistakes at once, half of another pair tells nothing.
+    if best.is_complete() && best.then.is_none() {
         let rival = found.find(as_good);
         best.rival = rival.map(|rival| (rival.name, rival.hint));
     }
@@ -74,6 +76,14 @@ pub fn nearly(evidence: &Evidence<'_>) -> Option<Found> {
     let mut found = Vec::new();
     own(evidence, MOST, &mut found);
     found.retain(Found::is_nearly_complete);
+    best(found)
+}
+
+/// The explanation that gives all wrong answers to the last digits, although right answers contradict it: a mistake in one branch only.
+pub fn partly(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found> {
+    let mut found = Vec::new();
+    plain(evidence, readings, 1.0, &mut found);
+    found.retain(Found::is_partly);
     best(found)
 }
 

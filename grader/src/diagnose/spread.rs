@@ -16,6 +16,9 @@ const ERRORS: f64 = 3.0;
 /// Of what explains next to all, this share of the distance is left at most.
 const NEAR: f64 = 0.2;
 
+/// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
+const SURE: f64 = 0.1;
+
 /// Traits this close are the same.
 const CLOSE: f64 = 2e-3;
 
@@ -170,19 +173,25 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     } else {
         1.0
     };
-    if given < SOME {
+    let is_rival = |other: &&(f64, u32, String, String)| {
+        other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors
+    };
+    let mut rivals = found.iter().filter(is_rival);
+    let is_near = *rest < NEAR * whole.norm();
+    // Simple questions have one answer, whichever way is gone: who makes the mistake on another way gives none of its answers, but
+    // their traits, to which no other mistake comes near.
+    let stands_out = *rank == 0 && is_near && rivals.clone().all(|other| other.1 > SLIP);
+    if given < SOME && !stands_out {
         return None;
     }
-    let rivals = found
-        .iter()
-        .filter(|other| other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors)
-        .count();
-    let is_near = *rest < NEAR * whole.norm();
     let diagnosis = Diagnosis {
         name: name.clone(),
         hint: hint.clone(),
         part: None,
-        certain: *rank == 0 && rivals == 0 && is_near && given >= MOST,
+        certain: *rank == 0
+            && rivals.next().is_none()
+            && *rest < SURE * whole.norm()
+            && given >= MOST,
         explained: evidence.wrong,
         wrong: evidence.wrong,
         shown: None,

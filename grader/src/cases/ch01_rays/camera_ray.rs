@@ -136,6 +136,11 @@ impl Graded for CameraRay {
             hint: "`film` goes from 0 to 1: how many metres of the plane is that?",
             answer: |q| Self::misread(q, |q| q.film /= q.plane),
         },
+        Mistake {
+            name: "multiplies the plane's width by the ratio of width to height, which it has already",
+            hint: "The plane is as wide as plane.x says: what is left for the ratio of the picture's sides to do?",
+            answer: |q| Self::misread(q, |q| q.plane.x *= q.plane.x / q.plane.y),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

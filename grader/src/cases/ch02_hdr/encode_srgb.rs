@@ -112,6 +112,18 @@ impl Graded for EncodeSrgb {
                 }
             },
         },
+        Mistake {
+            name: "takes the 0.055 and the 1.055 into the power, as in the inverse curve",
+            hint: "Try v = 1 and v = 0.5 with both curves: in which of them is the power of v alone?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    ((v + 0.055) / 1.055).powf(1.0 / 2.4)
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

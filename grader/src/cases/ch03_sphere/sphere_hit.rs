@@ -6,6 +6,7 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
 impl Graded for SphereHit {
@@ -232,6 +233,21 @@ impl Graded for SphereHit {
                 pick(q, |near, far| {
                     Some(if near.abs() <= far.abs() { near } else { far })
                 })
+            },
+        },
+        Mistake {
+            name: "returns the distance of the hit from the world's origin",
+            hint: "From where is t measured: from the ray's origin, or from the world's?",
+            answer: |q| q.answer().map(|t| q.ray.at(t).length()),
+        },
+        Mistake {
+            name: "returns the far root where both count",
+            hint: "The ray enters the sphere before it leaves it: which of the two roots do you ask first?",
+            answer: |q| {
+                let roots = both(q)?;
+                [roots.y, roots.x]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
             },
         },
     ];

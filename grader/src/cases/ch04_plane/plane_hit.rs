@@ -99,6 +99,11 @@ impl Graded for PlaneHit {
                     .filter(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "returns the distance of the hit from the world's origin",
+            hint: "From where is t measured: from the ray's origin, or from the world's?",
+            answer: |q| PlaneHit::answer(q).map(|t| q.ray.at(t).length()),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

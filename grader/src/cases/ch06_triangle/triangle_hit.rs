@@ -151,6 +151,16 @@ impl Graded for TriangleHit {
                 TriangleHit::answer(q).map(|hit| TriangleHitAnswer { t, ..hit })
             },
         },
+        Mistake {
+            name: "returns the distance of the hit from the world's origin",
+            hint: "From where is t measured: from the ray's origin, or from the world's?",
+            answer: |q| {
+                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                    t: q.ray.at(hit.t).length(),
+                    ..hit
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

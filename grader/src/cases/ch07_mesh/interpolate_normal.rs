@@ -64,6 +64,20 @@ impl Graded for InterpolateNormal {
             hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
             answer: |q| mix(q, 1.0 - q.b.x, q.b.x, q.b.y).normalize_or_zero(),
         },
+        Mistake {
+            name: "returns the normal of the nearest corner, the one of the largest weight",
+            hint: "Move the point a little: does the normal turn a little, or does it jump?",
+            answer: |q| {
+                let w0 = 1.0 - q.b.x - q.b.y;
+                if w0 >= q.b.x.max(q.b.y) {
+                    *q.n0
+                } else if q.b.x >= q.b.y {
+                    *q.n1
+                } else {
+                    *q.n2
+                }
+            },
+        },
     ];
 }
 

@@ -83,5 +83,29 @@ impl Graded for InterpolateTexture {
             hint: "Move the point towards a corner: the coordinates should move towards that corner's.",
             answer: |q| (q.t0 + q.t1 + q.t2) / 3.0,
         },
+        Mistake {
+            name: "returns the coordinates of the nearest corner, the one of the largest weight",
+            hint: "Move the point a little: do the coordinates change a little, or do they jump?",
+            answer: |q| {
+                let w0 = 1.0 - q.b.x - q.b.y;
+                if w0 >= q.b.x.max(q.b.y) {
+                    q.t0
+                } else if q.b.x >= q.b.y {
+                    q.t1
+                } else {
+                    q.t2
+                }
+            },
+        },
+        Mistake {
+            name: "goes along u by b1 alone, and along v by b2 alone",
+            hint: "Each corner has both coordinates: does the third corner's u count nowhere?",
+            answer: |q| q.t0 + q.b * vec2(q.t1.x - q.t0.x, q.t2.y - q.t0.y),
+        },
+        Mistake {
+            name: "goes from the first corner to the second by b1 along u, and by b2 along v",
+            hint: "Three corners, each with both coordinates: where does the third corner come in?",
+            answer: |q| q.t0 + q.b * (q.t1 - q.t0),
+        },
     ];
 }

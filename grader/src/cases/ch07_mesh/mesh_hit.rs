@@ -185,6 +185,18 @@ impl Graded for MeshHit {
             hint: "A triangle close behind the origin, and one farther ahead: which of the two is in the interval?",
             answer: |q| counted_last(q, f32::NEG_INFINITY, |hit| hit.t.abs()),
         },
+        Mistake {
+            name: "sees the front of each triangle only",
+            hint: "Walk around a triangle: it has two sides.",
+            answer: |q| {
+                let is_front = |hit: &MeshHitAnswer| {
+                    let Corners { p0, p1, p2 } = q.triangles[hit.id as usize];
+                    (p1 - p0).cross(p2 - p0).dot(*q.ray.direction) < 0.0
+                };
+                let fronts = hits(q).filter(is_front);
+                fronts.min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

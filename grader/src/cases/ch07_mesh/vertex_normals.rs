@@ -260,6 +260,24 @@ impl Graded for VertexNormals {
                     .collect()
             },
         },
+        Mistake {
+            name: "weighs by the angle at the vertex, not by the area",
+            hint: "That is another average, a good one too: by what does the task weigh the triangles?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for k in 0..3 {
+                        let [at, next, last] = [0, 1, 2].map(|i| q.positions[corners[(k + i) % 3]]);
+                        let (e1, e2) = (next - at, last - at);
+                        let angle = e1.cross(e2).length().atan2(e1.dot(e2));
+                        sums[corners[k]] += angle * twice_area.normalize_or_zero();
+                    }
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
     ];
 }
 

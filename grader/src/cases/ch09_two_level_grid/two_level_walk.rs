@@ -277,22 +277,31 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "stops at the first empty coarse cell",
             hint: "In an empty coarse cell there is nothing to visit: where does the ray go on?",
-            answer: |q| looked_up(q, coarse_place, true),
+            answer: |q| looked_up(q, [along_x, along_x], true),
         },
         Mistake {
             name: "looks up the coarse cells with y and z exchanged",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
-            answer: |q| looked_up(q, |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y), false),
+            answer: |q| {
+                let place: Place = |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y);
+                looked_up(q, [place, along_x], false)
+            },
         },
         Mistake {
             name: "looks up the coarse cells along z first",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with x?",
-            answer: |q| looked_up(q, |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x), false),
+            answer: |q| {
+                let place: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
+                looked_up(q, [place, along_x], false)
+            },
         },
         Mistake {
             name: "goes to the next row of coarse cells by the number of rows, not by that of cells in a row",
             hint: "By how much does the place of a coarse cell grow with y: by the number of cells along x, or along y?",
-            answer: |q| looked_up(q, |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z), false),
+            answer: |q| {
+                let place: Place = |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z);
+                looked_up(q, [place, along_x], false)
+            },
         },
         Mistake {
             name: "returns the places of the coarse cells",
@@ -317,7 +326,10 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "looks up the coarse cells along y first",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
-            answer: |q| looked_up(q, |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z), false),
+            answer: |q| {
+                let place: Place = |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z);
+                looked_up(q, [place, along_x], false)
+            },
         },
         Mistake {
             name: "takes every coarse cell before this one to have as many fine cells as this one",
@@ -345,6 +357,14 @@ impl Graded for TwoLevelWalk {
             answer: |q| {
                 let is_cut = |cut: &&UVec3| cut.x > 0;
                 before_is(q, |cuts| cuts.iter().filter(is_cut).count() as u32 - 1)
+            },
+        },
+        Mistake {
+            name: "takes the cells along z first, the coarse ones and the fine ones",
+            hint: "Both lists begin with the cells along x, then y, then z: by how much does the place grow with x?",
+            answer: |q| {
+                let along_z: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
+                looked_up(q, [along_z, along_z], false)
             },
         },
     ];
@@ -382,17 +402,22 @@ fn before_is(q: &TwoLevelWalk, before: impl Fn(&[UVec3]) -> u32) -> Vec<u32> {
     TwoLevelWalk::answer(q).into_iter().map(moved).collect()
 }
 
-/// The walk, if each coarse cell is looked up at another place; it may end at the first empty one.
+/// The place of a cell x, y, z of nx × ny × nz.
+type Place = fn([u32; 3], [u32; 3]) -> u32;
+
+/// The walk, if each coarse cell is looked up at another place, and fine cells have other places in it; it may end at the first empty one.
 fn looked_up(
     q: &TwoLevelWalk,
-    place: fn([u32; 3], [u32; 3]) -> u32,
+    [coarse_place, fine_place]: [Place; 2],
     ends_at_empty: bool,
 ) -> Vec<u32> {
     let levels = q.levels();
     let n = levels.top.resolution;
     let mut places = Vec::new();
     walk(&levels.top, &q.ray, q.within, |coarse, inside| {
-        let cut = levels.cuts.get(place(coarse.into(), n.into()) as usize);
+        let cut = levels
+            .cuts
+            .get(coarse_place(coarse.into(), n.into()) as usize);
         let Some(cut) = cut.filter(|cut| cut.resolution.x > 0) else {
             return if ends_at_empty {
                 ControlFlow::Break(())
@@ -404,7 +429,7 @@ fn looked_up(
         let (begin, last) = (coarse * fine, fine - UVec3::ONE);
         walk(&levels.cut(fine), &q.ray, inside, |cell, _| {
             let cell = cell.clamp(begin, begin + last) - begin;
-            let place = cut.first + cell.x + fine.x * (cell.y + fine.y * cell.z);
+            let place = cut.first + fine_place(cell.into(), fine.into());
             if places.last() != Some(&place) {
                 places.push(place);
             }
@@ -415,7 +440,7 @@ fn looked_up(
     places
 }
 
-/// The place of a coarse cell x, y, z of nx × ny × nz.
-fn coarse_place([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
+/// The place of a cell if those along x come first, then those along y.
+fn along_x([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
     x + nx * (y + ny * z)
 }

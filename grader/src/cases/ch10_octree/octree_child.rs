@@ -131,6 +131,30 @@ impl Graded for OctreeChild {
                 (n & 1) + (n & 2) + 3 * (n >> 2)
             },
         },
+        Mistake {
+            name: "puts a point on the middle plane of x into the lower half, and is right along the other axes",
+            hint: "Your three comparisons should be alike: which of them differs, > or >=?",
+            answer: |q| {
+                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
+                OctreeChild::answer(q) & (above | 6)
+            },
+        },
+        Mistake {
+            name: "puts a point on the middle plane of y into the lower half, and is right along the other axes",
+            hint: "Your three comparisons should be alike: which of them differs, > or >=?",
+            answer: |q| {
+                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
+                OctreeChild::answer(q) & (above | 5)
+            },
+        },
+        Mistake {
+            name: "puts a point on the middle plane of z into the lower half, and is right along the other axes",
+            hint: "Your three comparisons should be alike: which of them differs, > or >=?",
+            answer: |q| {
+                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
+                OctreeChild::answer(q) & (above | 3)
+            },
+        },
     ];
 }
 

@@ -318,6 +318,20 @@ impl Graded for OctreeWalk {
                 found
             },
         },
+        Mistake {
+            name: "leaves out the leaf in which the interval begins",
+            hint: "Stand inside a leaf: is the ray in it from the beginning, or must it enter it first?",
+            answer: |q| {
+                let cells = cells(q).0;
+                let start = q.ray.at(q.within.min);
+                let is_around = |leaf: &u32| {
+                    let cell = &cells[*leaf as usize];
+                    cell.min.cmplt(start).all() && start.cmplt(cell.max).all()
+                };
+                let all = OctreeWalk::answer(q).into_iter();
+                all.filter(|leaf| !is_around(leaf)).collect()
+            },
+        },
     ];
 }
 

@@ -238,6 +238,11 @@ impl Graded for BvhClosest {
             hint: "A branch has two children: what is in the second one?",
             answer: |q| search(q, |how| how.looks_at = 1),
         },
+        Mistake {
+            name: "returns the first hit that it finds, and looks no further",
+            hint: "Another triangle of the same leaf, or of a box that overlaps, may be nearer: when is the search over?",
+            answer: |q| search(q, |how| (how.stops, how.stops_in_leaf) = (true, true)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -2,7 +2,7 @@
 
 use super::highlight::{
     BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_more, radiance, random, with_highlight,
+    power, power_of_colour, power_of_more, radiance, random, with_highlight,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -199,6 +199,11 @@ impl Graded for BlinnPhongExercise {
                 let half = sum / sum.length_squared().max(f32::MIN_POSITIVE);
                 with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
             },
+        },
+        Mistake {
+            name: "raises k_s to the exponent, and not the cosine",
+            hint: "What stands below α: the cosine, or k_s?",
+            answer: |q| power_of_colour(&q.at, half(&q.at).dot(*q.at.normal)),
         },
     ];
 

@@ -64,6 +64,16 @@ pub(super) fn power_of_more(q: &Highlight, cosine: f32, whole_sum: bool) -> Rgb 
     sum * q.arriving
 }
 
+/// Both terms, but the power is taken of each channel's k_s, and not of the highlight's cosine.
+pub(super) fn power_of_colour(q: &Highlight, cosine: f32) -> Rgb {
+    let lambert = q.toward.dot(*q.normal);
+    if lambert <= 0.0 {
+        return Rgb::BLACK;
+    }
+    let shine = q.specular.map(|v| v.powf(q.exponent)) * cosine.max(0.0);
+    (q.diffuse * lambert + shine) * q.arriving
+}
+
 /// The light that would reach the matte part from below the surface.
 pub(super) fn matte_from_below(q: &Highlight) -> Rgb {
     q.diffuse * (-q.toward.dot(*q.normal)).max(0.0) * q.arriving

@@ -2,7 +2,7 @@
 
 use super::highlight::{
     BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_more, radiance, random, with_highlight,
+    power, power_of_colour, power_of_more, radiance, random, with_highlight,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -174,6 +174,11 @@ impl Graded for PhongExercise {
             name: "raises the whole sum to the exponent, the diffuse part too",
             hint: "Which of the two terms has an exponent? Raise α: may the matte part change?",
             answer: |q| power_of_more(&q.at, mirrored(&q.at).dot(*q.at.view), true),
+        },
+        Mistake {
+            name: "raises k_s to the exponent, and not the cosine",
+            hint: "What stands below α: the cosine, or k_s?",
+            answer: |q| power_of_colour(&q.at, mirrored(&q.at).dot(*q.at.view)),
         },
     ];
 

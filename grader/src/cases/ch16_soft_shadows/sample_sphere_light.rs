@@ -385,6 +385,11 @@ impl Graded for SampleSphereLight {
                 })
             },
         },
+        Mistake {
+            name: "chooses among the directions of the whole hemisphere around the light's middle, with its density",
+            hint: "From outside, a ball fills only a cone: how large is the angle from its axis at most?",
+            answer: |q| wide(q, 1.0),
+        },
     ];
 }
 

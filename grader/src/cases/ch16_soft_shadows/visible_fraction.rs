@@ -359,8 +359,8 @@ impl Graded for VisibleFraction {
             name: "takes no more samples at a point when one of them is hidden",
             hint: "One sample is hidden: what do you know of the next ones?",
             answer: |q| {
-                // As many in a row as are seen before the first that is not.
-                let before = |f: f32| (f / (1.0 - f) / q.samples as f32).min(1.0);
+                // As many in a row as are seen before the first that is not: a whole number.
+                let before = |f: f32| ((f / (1.0 - f)).floor() / q.samples as f32).min(1.0);
                 let all = VisibleFraction::answer(q).into_iter();
                 all.map(|f| if f < 1.0 { before(f) } else { f }).collect()
             },

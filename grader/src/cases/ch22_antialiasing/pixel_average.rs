@@ -272,5 +272,14 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "leaves black samples out",
+            hint: "Half of your samples see black: is the pixel as bright as if they were not there?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.samples.retain(|sample| sample.radiance != Rgb::BLACK);
+                })
+            },
+        },
     ];
 }

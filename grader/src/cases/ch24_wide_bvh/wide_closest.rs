@@ -267,6 +267,11 @@ impl Graded for WideClosest {
             hint: "A box may reach into the interval, and a triangle in it lie before: which distances count?",
             answer: |q| search(q, |how| how.tests_from_0 = true),
         },
+        Mistake {
+            name: "returns the first hit that it finds, and looks no further",
+            hint: "Another triangle of the same leaf, or of a box that overlaps, may be nearer: when is the search over?",
+            answer: |q| search(q, |how| (how.stops, how.stops_in_leaf) = (true, true)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -468,6 +468,26 @@ impl Graded for Trace {
             hint: "How does the area of a sphere grow with its radius? Is a vector that you divide by normalised already?",
             answer: |q| answer(q, Slip::FalloffByCube),
         },
+        Mistake {
+            name: "lets glass mirror the share that it mirrors straight ahead, whatever the angle",
+            hint: "Look straight into a window, and along it: do you see as much of yourself?",
+            answer: |q| answer(q, Slip::MirroredAsFromStraightAbove),
+        },
+        Mistake {
+            name: "lets every glass mirror 4 %, whatever its index and the angle",
+            hint: "Which glass mirrors 4 %, and from where do you look at it? By which formula do angle and index come in?",
+            answer: |q| answer(q, Slip::FourPercentMirrored),
+        },
+        Mistake {
+            name: "adds the ambient light to what a mirror shows",
+            hint: "Which of the three materials has a share of ambient light, and which show only what others send?",
+            answer: |q| answer(q, Slip::AmbientOnMirrors),
+        },
+        Mistake {
+            name: "does not count the surfaces that a refracted ray has met",
+            hint: "A ray enters a ball of glass and leaves it: how many surfaces are that, and how many does your depth count?",
+            answer: |q| answer(q, Slip::RefractionNotCounted),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

@@ -76,10 +76,10 @@ impl Tracer<'_> {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
             Matter::Mirror(mirror) => {
                 let seen = see(reflect(ray.direction, normal));
-                if self.is(Slip::MirrorsWithoutColour) {
-                    seen
-                } else {
-                    mirror.share * seen
+                match self.slip {
+                    Slip::MirrorsWithoutColour => seen,
+                    Slip::AmbientOnMirrors => mirror.share * seen + self.scene.ambient,
+                    _ => mirror.share * seen,
                 }
             }
             Matter::Glass(clear) => {
@@ -100,31 +100,19 @@ impl Tracer<'_> {
                     let seen = !self.is(Slip::NoTotalReflection);
                     return if seen { mirrored() } else { Rgb::BLACK };
                 };
-                let share = match self.slip {
-                    Slip::AllRefracted => 0.0,
-                    Slip::SharesExchanged => {
-                        1.0 - fresnel(-ray.direction.dot(*normal), here, there).unpolarised
-                    }
-                    Slip::FresnelFromOutside => {
-                        fresnel(-ray.direction.dot(*normal), 1.0, clear.index).unpolarised
-                    }
-                    Slip::FresnelTurned => {
-                        fresnel(-ray.direction.dot(*normal), there, here).unpolarised
-                    }
-                    Slip::FresnelBackwards => {
-                        fresnel(ray.direction.dot(*normal), here, there).unpolarised
-                    }
-                    Slip::HalfMirrored => 0.5,
-                    Slip::OnePolarisation => fresnel(-ray.direction.dot(*normal), here, there).s,
-                    Slip::Schlick => schlick(-ray.direction.dot(*normal), here, there),
-                    _ => fresnel(-ray.direction.dot(*normal), here, there).unpolarised,
-                };
+                let cosine = -ray.direction.dot(*normal);
+                let share = self.mirrored_share(cosine, clear.index, here, there);
                 let off_along_it =
                     self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
-                let through = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
-                    see_from(wrong_side(&at, refracted))
+                let behind = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
+                    wrong_side(&at, refracted)
                 } else {
-                    see_from(self.leave(&at, refracted))
+                    self.leave(&at, refracted)
+                };
+                let through = if self.is(Slip::RefractionNotCounted) {
+                    self.radiance(&behind, depth, false)
+                } else {
+                    see_from(behind)
                 };
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {
@@ -149,6 +137,23 @@ impl Tracer<'_> {
             Slip::FirstForNearest => hits.next(),
             Slip::FarthestForNearest => hits.max_by(by_distance),
             _ => hits.min_by(by_distance),
+        }
+    }
+
+    /// The share of the light that glass of an index mirrors, where the light comes at the angle of this cosine through `here`.
+    fn mirrored_share(&self, cosine: f32, index: f32, here: f32, there: f32) -> f32 {
+        match self.slip {
+            Slip::AllRefracted => 0.0,
+            Slip::SharesExchanged => 1.0 - fresnel(cosine, here, there).unpolarised,
+            Slip::FresnelFromOutside => fresnel(cosine, 1.0, index).unpolarised,
+            Slip::FresnelTurned => fresnel(cosine, there, here).unpolarised,
+            Slip::FresnelBackwards => fresnel(-cosine, here, there).unpolarised,
+            Slip::HalfMirrored => 0.5,
+            Slip::FourPercentMirrored => 0.04,
+            Slip::MirroredAsFromStraightAbove => fresnel(1.0, here, there).unpolarised,
+            Slip::OnePolarisation => fresnel(cosine, here, there).s,
+            Slip::Schlick => schlick(cosine, here, there),
+            _ => fresnel(cosine, here, there).unpolarised,
         }
     }
 

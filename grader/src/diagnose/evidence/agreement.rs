@@ -60,6 +60,13 @@ impl Rest {
         let error = (variance.max(0.0) * TOGETHER / self.count).sqrt();
         self.count > 0.0 && mean.abs() > MOST * error + 1e-3
     }
+
+    /// Whether it is about as large as the answers: they are small, and anything small is within a judge's tolerance of them.
+    fn is_large(&self) -> bool {
+        /// The root of the mean square.
+        const LARGE: f64 = 0.5;
+        self.squares > LARGE * LARGE * self.count
+    }
 }
 
 /// Answers that may differ by more than this share are estimates.
@@ -304,7 +311,8 @@ impl Evidence<'_> {
             }
         }
         score.is_rough = self.is_rough();
-        score.is_doubtful = score.is_rough && (score.explained < MANY || rest.leans());
+        score.is_doubtful =
+            score.is_rough && (score.explained < MANY || rest.leans() || rest.is_large());
         Some(score)
     }
 }

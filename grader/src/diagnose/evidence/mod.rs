@@ -303,6 +303,13 @@ impl<'a> Evidence<'a> {
         self.keeping(self.items[..self.wrong.min(most)].to_vec())
     }
 
+    /// Whether all wrong answers are the same, and tell nothing more than yes or no.
+    pub fn is_one_answer(&self) -> bool {
+        let wrong = &self.items[..self.wrong];
+        let is_first = |item: &Item| item.got == wrong[0].got && item.tells < 1.0;
+        wrong.iter().all(is_first)
+    }
+
     /// Whether the wrong answers tell more than yes or no.
     pub fn tells_much(&self) -> bool {
         self.items

@@ -6,7 +6,7 @@ mod orders;
 mod undone;
 
 use super::evidence::{Evidence, Scope};
-use super::function::FUNCTIONS;
+use super::function::{COMMON, FUNCTIONS};
 use super::number::named;
 use super::scalars::scalars;
 use crate::layout::{Leaf, each, layout};
@@ -41,9 +41,6 @@ struct Pair {
 
 /// What is made of a value: of which item, and its numbers.
 type Make<'a> = dyn Fn(usize, &mut [f64]) + 'a;
-
-/// The rank of the last function that is common.
-const COMMON: u32 = 11;
 
 /// The rank of functions that whole numbers may be mistaken by: powers, the reciprocal, and 1 minus the number.
 const OF_WHOLE: u32 = 10;
@@ -125,7 +122,24 @@ const CONSTANT: &str = "Write down the formula with units: which constant factor
 /// Numbers by which answers are often too large, or 1 over them.
 const FACTORS: [f64; 5] = [2.0, 4.0, PI, TAU, 4.0 * PI];
 
-/// The explanations by a factor, whatever the answers are: estimates scatter, so none can be fitted.
+/// The factor by which estimates are too large, from those that are wrong: its middle value; none if it is nearly 1, or makes little or
+/// much of everything.
+fn rough_factor(pairs: &[Pair]) -> Option<f64> {
+    /// Less is chance.
+    const LEAST: f64 = 1.1;
+    /// More is no wrong constant.
+    const MOST: f64 = 100.0;
+    let ratio = |pair: &Pair| pair.got.iter().sum::<f64>() / pair.base.iter().sum::<f64>();
+    let mut ratios: Vec<_> = pairs.iter().map(ratio).collect();
+    ratios.retain(|ratio| ratio.is_finite() && *ratio > 0.0);
+    ratios.sort_by(f64::total_cmp);
+    // Rounded to what can be known of it.
+    let middle = (20.0 * ratios.get(ratios.len() / 2)?).round() / 20.0;
+    let size = middle.max(1.0 / middle);
+    (LEAST..MOST).contains(&size).then_some(middle)
+}
+
+/// The explanations by a factor, whatever the answers are: estimates scatter, so that only the known ones are sharp.
 pub fn factors(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
     let mut all = Vec::new();
     for (part, of) in evidence.parts.iter().enumerate() {
@@ -137,6 +151,11 @@ pub fn factors(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation> {
             let name = format!("returns {} times {}", named(factor), of.name);
             let make = |_: usize, v: &mut [f64]| each(v, |v| *v *= factor);
             maker.add(9, 0, name, CONSTANT, &make);
+        }
+        if let Some(factor) = rough_factor(&pairs(evidence, base, part)) {
+            let name = format!("returns about {} times {}", named(factor), of.name);
+            let make = |_: usize, v: &mut [f64]| each(v, |v| *v *= factor);
+            maker.add(12, 1, name, CONSTANT, &make);
         }
         all.append(&mut maker.all);
     }

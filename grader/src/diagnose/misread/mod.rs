@@ -5,7 +5,7 @@ mod ways;
 
 use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
-use ways::{of_list, of_pair, of_part};
+use ways::{of_axes, of_list, of_pair, of_part};
 
 /// How far a question can be misread.
 #[derive(Clone, Copy, Debug, Default)]
@@ -54,6 +54,8 @@ enum How {
     Value(usize, Change),
     Pair(usize, usize, fn(&mut [f64], &mut [f64])),
     List(usize, fn(usize) -> Vec<usize>),
+    /// All parts of these numbers, each by itself.
+    All(Vec<usize>, Change),
 }
 
 impl Misreading {
@@ -69,6 +71,11 @@ impl Misreading {
             }
             How::Value(part, f) => {
                 for leaf in layout.of_part(*part) {
+                    f(&mut read[leaf.range()]);
+                }
+            }
+            How::All(parts, f) => {
+                for leaf in parts.iter().flat_map(|part| layout.of_part(*part)) {
                     f(&mut read[leaf.range()]);
                 }
             }
@@ -150,6 +157,7 @@ pub fn misreadings(kind: &'static Kind, limits: Limits) -> Vec<Misreading> {
             }
         }
     }
+    of_axes(&parts, &mut all);
     let lists = parts.iter().filter_map(|part| part.list).max();
     for list in 0..lists.map_or(0, |last| last + 1) {
         let first = parts.iter().find(|part| part.list == Some(list));

@@ -126,6 +126,14 @@ common! {
         let largest = v.iter().map(|v| v.abs()).fold(0.0, f64::max);
         lengthen(v, largest);
     };
+    [3] 13 "divides by the sum of the absolute values instead of the length": Together |v| {
+        let sum: f64 = v.iter().map(|v| v.abs()).sum();
+        for v in v { *v /= sum; }
+    };
+    [3] 13 "divides by the largest of the absolute values instead of the length": Together |v| {
+        let largest = v.iter().map(|v| v.abs()).fold(0.0, f64::max);
+        for v in v { *v /= largest; }
+    };
     [3] 10 "normalises the value": Together |v| lengthen(v, 1.0);
 }
 

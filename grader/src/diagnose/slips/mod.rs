@@ -60,9 +60,16 @@ impl Slipped {
         matches!(self.slip, Slip::Sides(..))
     }
 
-    /// Whether another slip can be made on the same way.
-    pub fn goes_with(&self, other: &Self) -> bool {
-        self.way == other.way && self.slip.place() != other.slip.place()
+    /// Whether another slip can be made on the same way too.
+    pub fn goes_with(&self, with: &Self) -> bool {
+        // Of one value its numbers by themselves, as their signs, and all together, as its length.
+        let apart = |one: Slip, other: Slip| {
+            matches!(one, Slip::Value(_, Change::Each(_)))
+                && matches!(other, Slip::Value(_, Change::Together(_)))
+        };
+        let (one, other) = (self.slip, with.slip);
+        let elsewhere = one.place() != other.place();
+        self.way == with.way && (elsewhere || apart(one, other) || apart(other, one))
     }
 
     /// How many steps the way to an answer has.
@@ -181,12 +188,15 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
     } else {
         RAREST
     };
+    // What is wrong in one case only, or one answer for all that are wrong, is a branch's, and by chance that of many a function; but not
+    // of one that leaves most numbers as they are.
+    let is_one = evidence.wrong == 1 || evidence.is_one_answer();
     // Of yes and no a decision or a loop is rather wrong than a number.
     let seldom = if evidence.tells_much() { 0 } else { 2 };
     for (step, hint) in steps {
         let name = short(step);
         let at = step.place;
-        let changes = changes(step, has_angles).filter(|(_, _, rank, _)| *rank <= rarest);
+        let changes = changes(step, has_angles, is_one).filter(|(_, _, rank, _)| *rank <= rarest);
         for (what, leads_on, rank, change) in changes {
             let name = format!("goes wrong at the step “{name}”: {what}");
             let hint = leads_on.unwrap_or(hint);
@@ -233,15 +243,16 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
         );
         add(name, hint, operation.rank, operation.slip);
     }
-    for (name, hint, rank, slip) in branches(&passed) {
+    for (name, hint, rank, slip) in branches(&passed, evidence.wrong == 1) {
         add(name, hint, rank, slip);
     }
     all
 }
 
 /// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.
-fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
+fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Slip)> {
     let mut all = Vec::new();
+    let rarest_side = if is_one { LAST_SIDE } else { u32::MAX };
     for one in &passed.decisions {
         let (name, place) = (one.name, one.place);
         let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
@@ -263,7 +274,8 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
                 "decides wrongly where both sides are equal whether {name}: < stands for ≤, or ≤ for <"
             );
             add(tie, CONDITION, 10, Slip::Tie(place));
-            for (rank, what, of) in SIDES {
+            // Of one wrong answer some number to compare with makes any other.
+            for (rank, what, of) in SIDES.iter().filter(|(rank, ..)| *rank <= rarest_side) {
                 let sides = format!("{what} when it decides whether {name}");
                 add(sides, CONDITION, *rank, Slip::Sides(place, *of));
             }
@@ -298,6 +310,9 @@ fn branches(passed: &Passed) -> Vec<(String, &'static str, u32, Slip)> {
 /// The rank of the rarest change that is tried on answers which tell little.
 const RAREST: u32 = 12;
 
+/// The rank of the last of two sides that are compared without a number that is added.
+const LAST_SIDE: u32 = 11;
+
 /// The rank of a condition that is not asked, and of an operation that is forgotten: they are simpler than a value that does the same.
 const LEFT_OUT: u32 = 8;
 
@@ -330,12 +345,14 @@ const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, 
 fn changes(
     step: &Step,
     has_angles: bool,
+    is_one: bool,
 ) -> impl Iterator<Item = (String, Option<&'static str>, u32, Change)> {
     let size = step.value.len();
     let common = COMMON.iter().filter(move |one| one.suits(size));
     let common = common.map(|one| (one.called(step.axes), None, one.rank, one.change));
     let functions = FUNCTIONS
         .iter()
+        .filter(move |one| !is_one || one.is_selective())
         .filter(move |one| one.suits(&step.value, step.unit, has_angles));
     let functions = functions.map(|function| {
         let name = function.name.replace("the answer", "the value");

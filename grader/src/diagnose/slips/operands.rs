@@ -259,6 +259,15 @@ fn factor_slips(power: f64, name: &str) -> Vec<(String, u32, Mixed)> {
         let plain = format!("takes “{name}” instead of {what}");
         slips.push((plain, 9, times(power.signum() - power)));
     }
+    if power.abs() >= 2.0 {
+        // Of high powers one less is as often written as one more; of a square the number itself, as above.
+        let less = (power.abs() > 2.0).then_some((-1.0, 10));
+        for (more, rank) in less.into_iter().chain([(1.0, 12)]) {
+            let other = power.abs() + more;
+            let name = format!("takes the power {other} of “{name}” instead of {what}");
+            slips.push((name, rank, times(more * power.signum())));
+        }
+    }
     if power == 2.0 {
         let doubled = format!("takes twice “{name}” instead of its square");
         let how = Mixed::Times {

@@ -47,6 +47,12 @@ pub fn of_list(list: usize, name: &str, all: &mut Vec<Misreading>) {
         |_| Vec::new(),
     );
     push(
+        format!("leaves out the second of the list ({name})"),
+        17,
+        loops,
+        |n| (0..n).filter(|i| *i != 1).collect(),
+    );
+    push(
         format!("looks at every second of the list only ({name})"),
         18,
         loops,

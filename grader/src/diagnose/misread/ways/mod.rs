@@ -1,11 +1,13 @@
-//! The ways: what can be misread of a number, an interval, a vector, of two fields, and of a list.
+//! The ways: what can be misread of a number, an interval, a vector, of all vectors, of two fields, and of a list.
 
+mod axes;
 mod intervals;
 mod lists;
 mod numbers;
 mod pairs;
 mod vectors;
 
+pub(super) use axes::of_axes;
 pub(super) use lists::of_list;
 pub(super) use pairs::of_pair;
 

@@ -157,8 +157,27 @@ pub(super) struct Band {
 
 impl Band {
     /// The pixels that look like p, which is in the band; p itself is among them.
-    pub(super) fn around(&self, p: [usize; 2]) -> impl Iterator<Item = Weighted> {
-        self.steps.iter().filter_map(move |step| step.weighted(p))
+    pub(super) fn around(&self, p: [usize; 2]) -> Vec<Weighted> {
+        let weighted = |step: &Step| Some((step.from(p), step.weight(p)?));
+        self.steps.iter().filter_map(weighted).collect()
+    }
+
+    /// As [`Band::around`], for each of these pixels of row y.
+    ///
+    /// All pixels are asked of one step before the next: the numbers of a step lie side by side in memory.
+    pub(super) fn row(
+        &self,
+        columns: impl Iterator<Item = usize> + Clone,
+        y: usize,
+    ) -> Vec<([usize; 2], Vec<Weighted>)> {
+        let empty = |x| ([x, y], Vec::with_capacity(self.steps.len()));
+        let mut all: Vec<_> = columns.map(empty).collect();
+        for step in &self.steps {
+            for (p, around) in &mut all {
+                around.extend(step.weight(*p).map(|weight| (step.from(*p), weight)));
+            }
+        }
+        all
     }
 }
 
@@ -175,8 +194,8 @@ struct Step {
 }
 
 impl Step {
-    /// The q of this p and its weight, unless it is outside the picture, or the weight is too small to count.
-    fn weighted(&self, [x, y]: [usize; 2]) -> Option<Weighted> {
+    /// The weight of the q of this p, unless it is outside the picture, or the weight is too small to count.
+    fn weight(&self, [x, y]: [usize; 2]) -> Option<f32> {
         let [columns, rows] = &self.inside;
         if !columns.contains(&x) || !self.rows.contains(&y) {
             return None;
@@ -187,13 +206,15 @@ impl Step {
             .iter()
             .sum();
         let squared = (sum / (across.len() * down.len()) as f32).max(0.0);
-        let q = || {
-            [
-                x.wrapping_add_signed(self.by[0]),
-                y.wrapping_add_signed(self.by[1]),
-            ]
-        };
-        (squared < MOST).then(|| (q(), (-squared).exp()))
+        (squared < MOST).then(|| (-squared).exp())
+    }
+
+    /// The q of this p.
+    fn from(&self, [x, y]: [usize; 2]) -> [usize; 2] {
+        [
+            x.wrapping_add_signed(self.by[0]),
+            y.wrapping_add_signed(self.by[1]),
+        ]
     }
 }
 

@@ -18,7 +18,7 @@ mod fit;
 
 use crate::image::{Image, around, rgb::Rgb};
 use crate::threads;
-use alike::{Alike, ROWS};
+use alike::{Alike, ROWS, Weighted};
 use fit::{Fit, GUIDED, PLACE, Terms};
 use glam::Vec3;
 use std::ops::{AddAssign, Div};
@@ -135,27 +135,38 @@ fn fitted<const N: usize>(
     let terms = |i| Terms::<N>::of([i % width, i / width], guide(i));
     let terms: Vec<_> = (0..picture.pixels.len()).map(terms).collect();
     let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
+    let mut near = Vec::new();
+    // Fits a plane around p, and adds it to the sums of the pixels that look like p.
+    let mut spread = |p, around: &[Weighted], sums: &mut [(Rgb, f32)]| {
+        let centre = terms[place(p)];
+        near.clear();
+        near.extend(
+            around
+                .iter()
+                .map(|(q, weight)| (place(*q), *weight, terms[place(*q)].from(&centre))),
+        );
+        let mut fit = Fit::new();
+        for (q, weight, terms) in &near {
+            fit.add(*weight, terms, picture.pixels[*q]);
+        }
+        let plane = fit.solve();
+        for (q, weight, terms) in &near {
+            let (sum, weights) = &mut sums[*q];
+            *sum += plane.at(terms) * *weight;
+            *weights += weight;
+        }
+    };
     for top in (0..picture.height).step_by(ROWS).take_while(|_| go_on()) {
         let band = alike.band(top);
-        let every = |n: usize| band.rows.clone().step_by(n).map(move |y| (y, n));
-        for (y, n) in every(APART).chain(every(1)).take_while(|_| go_on()) {
-            for p in (0..width).step_by(n).map(|x| [x, y]) {
-                if n == 1 && sums[place(p)].1 >= ENOUGH {
-                    continue;
-                }
-                let centre = terms[place(p)];
-                let around = band.around(p).map(|(q, weight)| (place(q), weight));
-                let around = around.map(|(q, weight)| (q, weight, terms[q].from(&centre)));
-                let around: Vec<_> = around.collect();
-                let mut fit = Fit::new();
-                for (q, weight, terms) in &around {
-                    fit.add(*weight, terms, picture.pixels[*q]);
-                }
-                let plane = fit.solve();
-                for (q, weight, terms) in &around {
-                    let (sum, weights) = &mut sums[*q];
-                    *sum += plane.at(terms) * *weight;
-                    *weights += weight;
+        for y in band.rows.clone().step_by(APART).take_while(|_| go_on()) {
+            for (p, around) in band.row((0..width).step_by(APART), y) {
+                spread(p, &around, &mut sums);
+            }
+        }
+        for y in band.rows.clone().take_while(|_| go_on()) {
+            for p in (0..width).map(|x| [x, y]) {
+                if sums[place(p)].1 < ENOUGH {
+                    spread(p, &band.around(p), &mut sums);
                 }
             }
         }

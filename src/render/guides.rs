@@ -21,7 +21,7 @@ use crate::scene::world::Scene;
 use glam::{Vec2, Vec3};
 
 /// Number of samples per pixel. There is no noise but at edges, where they tell how much of the pixel each surface covers.
-const SAMPLES: usize = 4;
+const SAMPLES: usize = 8;
 
 /// Maximum number of mirrors and panes of glass through which a ray goes to a surface.
 const PANES: u32 = 4;

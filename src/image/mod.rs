@@ -109,6 +109,14 @@ impl Image {
 
     /// The picture in another size: each pixel is the mean of the area that it covers.
     ///
+    /// ```
+    /// use raybook::prelude::*;
+    ///
+    /// let ramp = Image::from_fn(3, 1, |x, _| Rgb::gray(3.0 * x as f32));
+    /// let two = ramp.resized(2, 1); // each covers a pixel, and half of the one in the middle
+    /// assert_eq!([two.at(0, 0), two.at(1, 0)].map(|pixel| pixel.g.round()), [1.0, 5.0]);
+    /// ```
+    ///
     /// # Panics
     /// If the picture has no pixel and the result has some.
     #[must_use]

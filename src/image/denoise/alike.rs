@@ -242,3 +242,26 @@ fn patch(i: usize, inside: &Range<usize>) -> Range<usize> {
     i.saturating_sub(PATCH)
         .clamp(inside.start, end.max(inside.start))..end.max(inside.start)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::{Alike, Compare, ROWS};
+    use crate::image::{Image, rgb::Rgb};
+    use crate::math::pcg;
+    use crate::vectors::{Loops, widest};
+    use rand::RngExt;
+
+    #[test]
+    fn wide_vectors_change_no_bit() {
+        let mut rng = pcg::stream(7, 0);
+        let mut noise = || Image::from_fn(37, ROWS, |_, _| Rgb::gray(rng.random()));
+        let alike = Alike::new(&noise(), &noise());
+        for by in [[0, 0], [3, -2], [-12, 5], [1, 12]] {
+            let compare = || Compare(&alike, by, &(0..ROWS));
+            let [plain, wide] = [compare().run(), widest(compare())]
+                .map(|step| step.sums.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
+            assert!(!plain.is_empty(), "step {by:?} leads to pixels");
+            assert_eq!(plain, wide, "step {by:?}");
+        }
+    }
+}

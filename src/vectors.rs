@@ -6,10 +6,6 @@
         reason = "code for AVX2 may only be called on a processor that has it"
     )
 )]
-#![expect(
-    clippy::inline_always,
-    reason = "a function called from AVX2 code is compiled with it only where it is inlined"
-)]
 
 /// Loops over many numbers.
 pub(crate) trait Loops {
@@ -23,7 +19,7 @@ pub(crate) trait Loops {
 /// The result of the loops: with AVX2, eight numbers at a time, where the processor has it; otherwise four.
 ///
 /// The result is the same bit for bit: no operation is left out, added or moved.
-#[inline(always)]
+#[inline]
 pub(crate) fn widest<L: Loops>(loops: L) -> L::Answer {
     #[cfg(target_arch = "x86_64")]
     {

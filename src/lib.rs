@@ -107,3 +107,4 @@ pub mod shape;
 #[cfg(feature = "files")]
 pub mod store;
 mod threads;
+mod vectors;

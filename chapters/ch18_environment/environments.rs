@@ -59,10 +59,7 @@ pub(super) fn layouts(map: &Image) -> Sheet {
         })
     };
     let tiles = [
-        (
-            "latitude and longitude",
-            shown(convert(map, &LatLong, &LatLong, 400, 200), 400),
-        ),
+        ("latitude and longitude", shown(map.resized(400, 200), 400)),
         (
             "a cube, unfolded",
             shown(convert(map, &LatLong, &Cross, 400, 300), 400),
@@ -108,7 +105,7 @@ pub(super) fn chosen(map: &Image) -> Result<(Image, usize), Box<dyn Error>> {
     let bright =
         |direction: &&Dir3| environment.radiance(**direction).luminance() > 0.5 * brightest;
     let in_the_sun = by_light.iter().filter(bright).count();
-    let shown = convert(map, &LatLong, &LatLong, 480, 240).map(tone::aces);
+    let shown = map.resized(480, 240).map(tone::aces);
     let dotted = |directions: &[Dir3]| {
         let mut dotted = shown.clone();
         for &direction in directions {

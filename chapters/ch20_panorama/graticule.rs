@@ -20,12 +20,16 @@ const POINTS: usize = 4;
 /// direction a place of the picture shows; where there is no direction, the picture becomes white.
 pub(super) fn over(picture: &Image, toward: impl Fn(Vec2) -> Option<Dir3>) -> Image {
     let size = vec2(picture.width() as f32, picture.height() as f32);
+    // The corners of the pixels, row by row; four pixels share a corner.
+    let columns = picture.width() + 1;
+    let corners = (0..columns * (picture.height() + 1))
+        .map(|i| toward(vec2((i % columns) as f32, (i / columns) as f32) / size));
+    let corners: Vec<_> = corners.collect();
     Image::from_fn(picture.width(), picture.height(), |x, y| {
         let light = tone::clamp(picture.at(x, y));
         let corner = vec2(x as f32, y as f32);
         let middle = toward((corner + 0.5) / size);
-        let ends =
-            [Vec2::ZERO, Vec2::X, Vec2::Y, Vec2::ONE].map(|end| toward((corner + end) / size));
+        let ends = [0, 1, columns, columns + 1].map(|to| corners[y * columns + x + to]);
         // Where no line or rim comes near the pixel, all its points are alike.
         if let (Some(middle), [Some(a), Some(b), Some(c), Some(d)]) = (middle, ends) {
             let reach = [a, b, c, d]

@@ -10,7 +10,6 @@ use glam::{Vec2, Vec3, vec2};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor};
 use raybook::image::rgb::Rgb;
 use raybook::image::{Image, tone};
-use raybook::light::environment::convert::{LatLong, convert};
 use raybook::light::environment::latlong;
 use raybook::math::dir3::Dir3;
 use std::error::Error;
@@ -33,7 +32,9 @@ const TEXT: i32 = 30;
 /// # Errors
 /// What plotters reports.
 pub(super) fn labelled(panorama: &Image) -> Result<Image, Box<dyn Error>> {
-    let map = graticule::over(&fitted(panorama), |place| Some(latlong::direction(place)));
+    let map = graticule::over(&panorama.resized(MAP.0, MAP.1), |place| {
+        Some(latlong::direction(place))
+    });
     on_canvas(&map, LABELS, |canvas, pixel| {
         for i in -3..=3 {
             let latitude = STEP * i as f32;
@@ -81,7 +82,7 @@ pub(super) fn with_lines(
     eye: Vec3,
     lines: &[(&str, [Vec3; 2])],
 ) -> Result<Image, Box<dyn Error>> {
-    let fitted = fitted(panorama);
+    let fitted = panorama.resized(MAP.0, MAP.1);
     let pale = |x, y| tone::clamp(fitted.at(x, y)).lerp(Rgb::WHITE, 0.45);
     on_canvas(&Image::from_fn(MAP.0, MAP.1, pale), RIM, |canvas, pixel| {
         let horizon = [0.0, 1.0].map(|turn| whole(pixel(vec2(turn, 0.5))));
@@ -133,11 +134,6 @@ fn line(canvas: &Canvas, pixel: Pixel, eye: Vec3, [a, b]: [Vec3; 2], colour: RGB
         }
     }
     Ok(())
-}
-
-/// The panorama in the figure's size.
-fn fitted(panorama: &Image) -> Image {
-    convert(panorama, &LatLong, &LatLong, MAP.0, MAP.1)
 }
 
 /// A figure of the map with space at its left and below it, on which more is drawn.

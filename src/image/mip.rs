@@ -32,7 +32,8 @@ impl MipMap {
         let finite = |v: f32| if v.is_finite() { v } else { 0.0 };
         let mut levels = vec![picture.map(|pixel| pixel.map(finite))];
         while let Some(last) = levels.last().filter(|last| last.pixels().len() > 1) {
-            levels.push(halved(last));
+            let half = |n: usize| (n / 2).max(1);
+            levels.push(last.resized(half(last.width()), half(last.height())));
         }
         Self { levels }
     }
@@ -80,29 +81,4 @@ impl MipMap {
         sharp.lerp(soft, rest)
     }
     // ANCHOR_END: mip_map
-}
-
-/// The picture at half its width and height, rounded down: each pixel is the mean of the area that it covers.
-fn halved(picture: &Image) -> Image {
-    let (width, height) = (picture.width(), picture.height());
-    let (half_width, half_height) = ((width / 2).max(1), (height / 2).max(1));
-    Image::from_fn(half_width, half_height, |x, y| {
-        let mut sum = Rgb::BLACK;
-        for (row, high) in covered(y, height, half_height) {
-            for (column, wide) in covered(x, width, half_width) {
-                sum += picture.at(column, row) * (wide * high);
-            }
-        }
-        sum
-    })
-}
-
-/// A row of n pixels is shrunk to m: the pixels that pixel i of the m covers, each with its share of pixel i.
-fn covered(i: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f32)> {
-    // In units of 1/m of a pixel, all numbers are whole.
-    let (begin, end) = (i * n, (i + 1) * n);
-    (begin / m..end.div_ceil(m)).map(move |pixel| {
-        let part = end.min((pixel + 1) * m) - begin.max(pixel * m);
-        (pixel, part as f32 / n as f32)
-    })
 }

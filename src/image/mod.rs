@@ -107,6 +107,31 @@ impl Image {
         })
     }
 
+    /// The picture in another size: each pixel is the mean of the area that it covers.
+    ///
+    /// ```
+    /// use raybook::prelude::*;
+    ///
+    /// let ramp = Image::from_fn(3, 1, |x, _| Rgb::gray(3.0 * x as f32));
+    /// let two = ramp.resized(2, 1); // each covers a pixel, and half of the one in the middle
+    /// assert_eq!([two.at(0, 0), two.at(1, 0)].map(|pixel| pixel.g.round()), [1.0, 5.0]);
+    /// ```
+    ///
+    /// # Panics
+    /// If the picture has no pixel and the result has some.
+    #[must_use]
+    pub fn resized(&self, width: usize, height: usize) -> Self {
+        Self::from_fn(width, height, |x, y| {
+            let mut sum = Rgb::BLACK;
+            for (row, high) in covered(y, self.height, height) {
+                for (column, wide) in covered(x, self.width, width) {
+                    sum += self.at(column, row) * (wide * high);
+                }
+            }
+            sum
+        })
+    }
+
     /// Whether the other picture has the same size and the same bits in every channel.
     ///
     /// This differs from `==` in two cases: here 0 and −0 are different, and a NaN equals a NaN with the same bits.
@@ -117,6 +142,16 @@ impl Image {
         };
         (self.width, self.height) == (other.width, other.height) && bits(self) == bits(other)
     }
+}
+
+/// A row of n pixels becomes one of m: the pixels that pixel i of the m covers, each with its share of pixel i.
+fn covered(i: usize, n: usize, m: usize) -> impl Iterator<Item = (usize, f32)> {
+    // In units of 1/m of a pixel, all numbers are whole.
+    let (begin, end) = (i * n, (i + 1) * n);
+    (begin / m..end.div_ceil(m)).map(move |pixel| {
+        let part = end.min((pixel + 1) * m) - begin.max(pixel * m);
+        (pixel, part as f32 / n as f32)
+    })
 }
 
 /// The pixels at most `reach` columns and rows away from a pixel, in a picture of this size, row by row: those outside are left out.

@@ -14,10 +14,14 @@
 pub struct Piecewise {
     /// n + 1 sums: of the weights before each cell, and of all weights; in `f64`, because a map has millions of texels.
     sums: Vec<f64>,
-    /// The guide table: the number of sums that are at most 0, 1/n, 2/n, … of the total. It makes the search in `sums` short
-    /// (Chen and Asau, "On generating random variates from an empirical distribution", 1974).
+    /// The guide table: the number of sums that are at most 0, 1/m, 2/m, … of the total, for m parts of it. It makes the search in
+    /// `sums` short (Chen and Asau, "On generating random variates from an empirical distribution", 1974).
     guide: Vec<u32>,
 }
+
+/// Number of cells for each part of the guide table: so few parts that the tables of all rows of a map stay in a processor's cache,
+/// where the sums themselves have no room.
+const CELLS: usize = 16;
 
 /// The result of a choice.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -39,10 +43,10 @@ impl Piecewise {
             }
             sums.push(sum);
         }
-        let n = sums.len() - 1;
-        let mut reached = 0;
-        let guide = (0..=n).map(|i| {
-            let share = sum * i as f64 / n.max(1) as f64;
+        let (n, mut reached) = (sums.len() - 1, 0);
+        let parts = n.div_ceil(CELLS);
+        let guide = (0..=parts).map(|i| {
+            let share = sum * i as f64 / parts.max(1) as f64;
             while reached <= n && sums[reached] <= share {
                 reached += 1;
             }
@@ -78,7 +82,7 @@ impl Piecewise {
 
     /// The number of sums that are at most `target`, which is u times the total.
     fn above(&self, target: f64, u: f32) -> usize {
-        let part = (f64::from(u) * (self.sums.len() - 1) as f64) as usize;
+        let part = (f64::from(u) * (self.guide.len() - 1) as f64) as usize;
         let guide = |part: usize| {
             self.guide
                 .get(part)

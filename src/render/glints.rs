@@ -20,6 +20,7 @@ use crate::image::Image;
 use crate::light::point::PointLight;
 use crate::math::{pcg, ray::Ray};
 use crate::render::film::{Done, Film, place_in_pixel};
+use glam::{Vec2, vec2};
 use std::f32::consts::FRAC_PI_4;
 
 /// Number of rays for each pixel that a light's disc covers: enough that the disc shows no grain.
@@ -49,9 +50,15 @@ pub fn add_glints(
         if (film.progress)(Done::default()).is_break() {
             return;
         }
-        let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
-        if depth <= 0.0 {
+        let Some(middle) = camera.arrival(light.position, Vec2::ZERO) else {
             continue; // beside the lens or behind it: no light comes in
+        };
+        let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
+        let disc = camera.lens.circle_of_confusion(depth) / camera.view.plane;
+        // A disc that is not on the film needs no rays; it counts as a pixel wider than it is, because of rounding.
+        let farthest = 0.5 + 0.5 * disc + vec2(width, height).recip();
+        if (middle.film - 0.5).abs().cmpgt(farthest).any() {
+            continue;
         }
         let covered = FRAC_PI_4 * camera.lens.circle_of_confusion(depth).powi(2) / pixel;
         let rays = (PER_PIXEL * covered).clamp(RAYS[0], RAYS[1]) as usize;

@@ -14,19 +14,23 @@
 //! assert!(taken.into_inner() < 32 * 64 / 4);
 //! ```
 
-use crate::image::{Image, around};
+use crate::image::{Image, around, rgb::Rgb};
 use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
 use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::even::Even;
+use arrayvec::ArrayVec;
 use glam::Vec2;
 use rand::RngExt;
 
 /// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2, because one
 /// sample has no deviation.
 fn first_of(all: usize) -> usize {
-    (all / 2).clamp(2, 4).min(all)
+    (all / 2).clamp(2, FIRST).min(all)
 }
+
+/// Maximum number of first samples.
+const FIRST: usize = 4;
 
 /// The standard deviation of the displayed brightness, in [0, 1], from which on a pixel gets all samples.
 const RESTLESS: f32 = 0.2;
@@ -92,7 +96,7 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
     };
     let begun = begins.each_pixel(&|x, y, rng| {
         let sample = Sample::of(film, x, y, rng);
-        let seen: Vec<_> = (0..first).map(|i| sample.seen(i, radiance)).collect();
+        let seen: ArrayVec<_, FIRST> = (0..first).map(|i| sample.seen(i, radiance)).collect();
         Begun::by(film, &seen)
     });
     let again = Film {
@@ -154,17 +158,15 @@ impl Begun {
     fn by(film: &Film, seen: &[(Vec2, Followed)]) -> (Self, u64) {
         let n = seen.len() as f32;
         // The square root approximates the sRGB curve of a display.
-        let shown = |channel: usize| {
-            let values = seen
-                .iter()
-                .map(move |(_, s)| s.radiance.channels()[channel]);
-            values.map(|v| v.clamp(0.0, 1.0).sqrt())
-        };
-        let variance = |channel: usize| {
-            let mean = shown(channel).sum::<f32>() / n;
-            shown(channel).map(|v| (v - mean).powi(2)).sum::<f32>() / (n - 1.0).max(1.0)
-        };
-        let variance = (0..3).map(variance).fold(0.0, f32::max);
+        let shown = seen.iter().map(|(_, s)| s.radiance);
+        let shown = shown.map(|radiance| radiance.map(|v| v.clamp(0.0, 1.0).sqrt()));
+        let shown: ArrayVec<Rgb, FIRST> = shown.collect();
+        let mean = shown.iter().copied().sum::<Rgb>() / n;
+        let squares = shown
+            .iter()
+            .map(|v| (*v + mean * -1.0).map(|off| off * off));
+        let variance = squares.sum::<Rgb>() / (n - 1.0).max(1.0);
+        let variance = variance.max_channel().max(0.0); // a NaN does not count
         let (samples, rays) = Gathered::of(film, seen.iter().copied());
         (Self { samples, variance }, rays)
     }

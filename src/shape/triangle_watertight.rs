@@ -133,7 +133,12 @@ impl Shear {
     #[inline]
     fn apply(&self, [a, b, c]: &[Vec3; 3], origin: Vec3) -> [Vec3A; 3] {
         let all = |i: usize| Vec3A::new(a[i], b[i], c[i]) - Vec3A::splat(origin[i]);
-        let (x, y, z) = (all(self.axes[0]), all(self.axes[1]), all(self.axes[2]));
+        // One branch, the same for all triangles of a ray, where nine coordinates by number would be nine.
+        let (x, y, z) = match self.axes[2] {
+            0 => (all(1), all(2), all(0)),
+            1 => (all(2), all(0), all(1)),
+            _ => (all(0), all(1), all(2)),
+        };
         let [sx, sy, sz] = self.slopes;
         [x - sx * z, y - sy * z, sz * z]
     }

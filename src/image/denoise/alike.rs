@@ -2,6 +2,7 @@
 
 use crate::image::Image;
 use crate::math::pcg::mix;
+use crate::vectors::{Loops, widest};
 use std::ops::Range;
 
 /// How far around a pixel similar pixels are looked for, in pixels, in each direction.
@@ -34,8 +35,8 @@ const MOST: f32 = 6.9;
 /// Rows of a band: the weights of one band at a time are in memory.
 pub(super) const ROWS: usize = 24;
 
-/// A pixel's place, column and row, and its weight.
-pub(super) type Weighted = ([usize; 2], f32);
+/// A pixel's number, row by row, and its weight.
+pub(super) type Weighted = (u32, f32);
 
 /// How much the pixels of a picture look alike: the weights w(p, q) of [`denoise`](super::denoise).
 pub(super) struct Alike {
@@ -67,11 +68,13 @@ impl Alike {
         let rows = top..(top + ROWS).min(self.height);
         let steps = along().flat_map(|dy| along().map(move |dx| [dx, dy]));
         let steps = steps.filter(is_compared);
-        let steps = steps.map(|step| self.step(step, &rows)).collect();
-        Band { rows, steps }
+        let steps = steps.map(|by| widest(Compare(self, by, &rows))).collect();
+        let width = self.width;
+        Band { width, rows, steps }
     }
 
     /// All pixels of these rows with those that are a step away.
+    #[inline(always)]
     fn step(&self, by: [isize; 2], rows: &Range<usize>) -> Step {
         let Self { width, height, .. } = *self;
         let inside = [(by[0], width), (by[1], height)].map(|(by, n)| inside(by, n));
@@ -105,6 +108,7 @@ impl Alike {
 
     /// How much more the pixels of row y, in these columns, differ than by noise from those that are a step away: the mean of three
     /// channels.
+    #[inline(always)]
     fn distances<'a>(
         &'a self,
         [dx, dy]: [isize; 2],
@@ -128,8 +132,21 @@ impl Alike {
     }
 }
 
+/// Compares all pixels of some rows with those that are a step away.
+struct Compare<'a>(&'a Alike, [isize; 2], &'a Range<usize>);
+
+impl Loops for Compare<'_> {
+    type Answer = Step;
+
+    #[inline(always)]
+    fn run(self) -> Step {
+        let Self(alike, by, rows) = self;
+        alike.step(by, rows)
+    }
+}
+
 /// How much more two numbers differ than by noise; each with its variance.
-#[inline]
+#[inline(always)]
 fn distance([p, of_p]: [f32; 2], [q, of_q]: [f32; 2]) -> f32 {
     let noise = of_p + least(of_p, of_q);
     let scale = UNSEEN + STRENGTH * (of_p + least(of_q, NOISIER * of_p));
@@ -144,21 +161,35 @@ fn is_compared([dx, dy]: &[isize; 2]) -> bool {
 }
 
 /// The lesser of two numbers: one instruction, where `min` also asks for NaN.
+#[inline(always)]
 fn least(a: f32, b: f32) -> f32 {
     if a < b { a } else { b }
 }
 
 /// Some rows of a picture.
 pub(super) struct Band {
+    width: usize,
     pub(super) rows: Range<usize>,
     /// From each of their pixels to all pixels of its window.
     steps: Vec<Step>,
 }
 
 impl Band {
-    /// The pixels that look like p, which is in the band; p itself is among them.
-    pub(super) fn around(&self, p: [usize; 2]) -> impl Iterator<Item = Weighted> {
-        self.steps.iter().filter_map(move |step| step.weighted(p))
+    /// The pixels that look like p, for each of these pixels p of row y of the band; p itself is among them.
+    ///
+    /// All pixels are asked of one step before the next: the numbers of a step lie side by side in memory.
+    pub(super) fn row(&self, columns: &[usize], y: usize) -> Vec<([usize; 2], Vec<Weighted>)> {
+        let empty = |x: &usize| ([*x, y], Vec::with_capacity(self.steps.len()));
+        let mut all: Vec<_> = columns.iter().map(empty).collect();
+        for step in &self.steps {
+            for (p, around) in &mut all {
+                if let Some(weight) = step.weight(*p) {
+                    let [x, y] = step.from(*p);
+                    around.push(((y * self.width + x) as u32, weight));
+                }
+            }
+        }
+        all
     }
 }
 
@@ -175,8 +206,8 @@ struct Step {
 }
 
 impl Step {
-    /// The q of this p and its weight, unless it is outside the picture, or the weight is too small to count.
-    fn weighted(&self, [x, y]: [usize; 2]) -> Option<Weighted> {
+    /// The weight of the q of this p, unless it is outside the picture, or the weight is too small to count.
+    fn weight(&self, [x, y]: [usize; 2]) -> Option<f32> {
         let [columns, rows] = &self.inside;
         if !columns.contains(&x) || !self.rows.contains(&y) {
             return None;
@@ -187,13 +218,15 @@ impl Step {
             .iter()
             .sum();
         let squared = (sum / (across.len() * down.len()) as f32).max(0.0);
-        let q = || {
-            [
-                x.wrapping_add_signed(self.by[0]),
-                y.wrapping_add_signed(self.by[1]),
-            ]
-        };
-        (squared < MOST).then(|| (q(), (-squared).exp()))
+        (squared < MOST).then(|| (-squared).exp())
+    }
+
+    /// The q of this p.
+    fn from(&self, [x, y]: [usize; 2]) -> [usize; 2] {
+        [
+            x.wrapping_add_signed(self.by[0]),
+            y.wrapping_add_signed(self.by[1]),
+        ]
     }
 }
 
@@ -208,4 +241,27 @@ fn patch(i: usize, inside: &Range<usize>) -> Range<usize> {
     let end = (i + PATCH + 1).min(inside.end);
     i.saturating_sub(PATCH)
         .clamp(inside.start, end.max(inside.start))..end.max(inside.start)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::{Alike, Compare, ROWS};
+    use crate::image::{Image, rgb::Rgb};
+    use crate::math::pcg;
+    use crate::vectors::{Loops, widest};
+    use rand::RngExt;
+
+    #[test]
+    fn wide_vectors_change_no_bit() {
+        let mut rng = pcg::stream(7, 0);
+        let mut noise = || Image::from_fn(37, ROWS, |_, _| Rgb::gray(rng.random()));
+        let alike = Alike::new(&noise(), &noise());
+        for by in [[0, 0], [3, -2], [-12, 5], [1, 12]] {
+            let compare = || Compare(&alike, by, &(0..ROWS));
+            let [plain, wide] = [compare().run(), widest(compare())]
+                .map(|step| step.sums.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
+            assert!(!plain.is_empty(), "step {by:?} leads to pixels");
+            assert_eq!(plain, wide, "step {by:?}");
+        }
+    }
 }

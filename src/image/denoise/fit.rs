@@ -34,6 +34,7 @@ impl<const N: usize> Terms<N> {
 
     /// Relative to a centre, but for the 1.
     #[must_use]
+    #[inline(always)]
     pub(super) fn from(&self, centre: &Self) -> Self {
         let mut terms = array::from_fn(|i| self.0[i] - centre.0[i]);
         terms[0] = 1.0;
@@ -45,7 +46,7 @@ impl<const N: usize> Terms<N> {
 type Channels = [f32; 4];
 
 /// Adds a multiple of some numbers to others.
-#[inline]
+#[inline(always)]
 fn add<const N: usize>(sums: &mut [f32; N], factor: f32, others: &[f32; N]) {
     for (sum, other) in sums.iter_mut().zip(others) {
         *sum += factor * other;
@@ -71,7 +72,7 @@ impl<const N: usize> Fit<N> {
     }
 
     /// Adds a colour, with a weight.
-    #[inline]
+    #[inline(always)]
     pub(super) fn add(&mut self, weight: f32, Terms(terms): &Terms<N>, colour: Rgb) {
         let colour = [colour.r, colour.g, colour.b, 0.0];
         let rows = self.terms.iter_mut().zip(&mut self.colours);
@@ -84,6 +85,7 @@ impl<const N: usize> Fit<N> {
     /// The plane for which Σ w |colour − plane|² is least, but for the ridge.
     ///
     /// Gaussian elimination; without pivots, for the matrix is symmetric and positive definite.
+    #[inline(always)]
     pub(super) fn solve(self) -> Plane<N> {
         let Self {
             mut terms,
@@ -119,7 +121,7 @@ pub(super) struct Plane<const N: usize>([Channels; N]);
 
 impl<const N: usize> Plane<N> {
     /// Its colour; not below black.
-    #[inline]
+    #[inline(always)]
     pub(super) fn at(&self, Terms(terms): &Terms<N>) -> Rgb {
         let mut colour = [0.0; 4];
         for (slope, term) in self.0.iter().zip(terms) {

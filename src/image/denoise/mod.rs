@@ -13,12 +13,18 @@
 //! assert!(rms(&wall, &smooth, |_, _| true) < 0.2 * rms(&wall, &noisy(0), |_, _| true));
 //! ```
 
+#![expect(
+    clippy::inline_always,
+    reason = "a function called from AVX2 code is compiled with it only where it is inlined"
+)]
+
 mod alike;
 mod fit;
 
 use crate::image::{Image, around, rgb::Rgb};
 use crate::threads;
-use alike::{Alike, ROWS};
+use crate::vectors::{Loops, widest};
+use alike::{Alike, ROWS, Weighted};
 use fit::{Fit, GUIDED, PLACE, Terms};
 use glam::Vec3;
 use std::ops::{AddAssign, Div};
@@ -28,6 +34,9 @@ const APART: usize = 4;
 
 /// A plane is also fitted around a pixel for which the weights of the planes before it have a smaller sum: it looks like few others.
 const ENOUGH: f32 = 1.0;
+
+/// Number of pixels for which weights are computed together: so few that the weights stay in a processor's cache.
+const TOGETHER: usize = 32;
 
 /// Maximum brightness of a pixel, in units of the brightest pixel that the other picture has around it. A brighter pixel comes
 /// from a very rare path.
@@ -139,23 +148,22 @@ fn fitted<const N: usize>(
         let band = alike.band(top);
         let every = |n: usize| band.rows.clone().step_by(n).map(move |y| (y, n));
         for (y, n) in every(APART).chain(every(1)).take_while(|_| go_on()) {
-            for p in (0..width).step_by(n).map(|x| [x, y]) {
-                if n == 1 && sums[place(p)].1 >= ENOUGH {
-                    continue;
-                }
-                let centre = terms[place(p)];
-                let around = band.around(p).map(|(q, weight)| (place(q), weight));
-                let around = around.map(|(q, weight)| (q, weight, terms[q].from(&centre)));
-                let around: Vec<_> = around.collect();
-                let mut fit = Fit::new();
-                for (q, weight, terms) in &around {
-                    fit.add(*weight, terms, picture.pixels[*q]);
-                }
-                let plane = fit.solve();
-                for (q, weight, terms) in &around {
-                    let (sum, weights) = &mut sums[*q];
-                    *sum += plane.at(terms) * *weight;
-                    *weights += weight;
+            let needed = |sums: &[(Rgb, f32)], p| n > 1 || sums[place(p)].1 < ENOUGH;
+            let columns: Vec<_> = (0..width).step_by(n).collect();
+            for columns in columns.chunks(TOGETHER) {
+                let columns = columns.iter().copied();
+                let columns = columns.filter(|x| needed(&sums, [*x, y]));
+                for (p, around) in band.row(&columns.collect::<Vec<_>>(), y) {
+                    // The planes before it may have reached it.
+                    if needed(&sums, p) {
+                        widest(Spread {
+                            pixels: &picture.pixels,
+                            terms: &terms,
+                            p: place(p),
+                            around: &around,
+                            sums: &mut sums,
+                        });
+                    }
                 }
             }
         }
@@ -163,6 +171,37 @@ fn fitted<const N: usize>(
     sums.into_iter()
         .map(|(sum, weights)| sum / weights)
         .collect()
+}
+
+/// Fits a plane around a pixel, and adds it to the sums of the pixels that look like it.
+struct Spread<'a, const N: usize> {
+    pixels: &'a [Rgb],
+    terms: &'a [Terms<N>],
+    p: usize,
+    /// The pixels that look like p, with their weights.
+    around: &'a [Weighted],
+    /// For each pixel, Σ w plane and Σ w.
+    sums: &'a mut [(Rgb, f32)],
+}
+
+impl<const N: usize> Loops for Spread<'_, N> {
+    type Answer = ();
+
+    #[inline(always)]
+    fn run(self) {
+        let centre = self.terms[self.p];
+        let terms = |q: u32| self.terms[q as usize].from(&centre);
+        let mut fit = Fit::new();
+        for &(q, weight) in self.around {
+            fit.add(weight, &terms(q), self.pixels[q as usize]);
+        }
+        let plane = fit.solve();
+        for &(q, weight) in self.around {
+            let (sum, weights) = &mut self.sums[q as usize];
+            *sum += plane.at(&terms(q)) * weight;
+            *weights += weight;
+        }
+    }
 }
 // ANCHOR_END: denoise
 

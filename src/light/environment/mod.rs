@@ -91,17 +91,12 @@ impl Environment {
     /// uniformly over its solid angle: φ and cos θ are uniform, not θ (Archimedes: a zone of a sphere has the same area as the
     /// zone of the same height on the cylinder around the sphere).
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
-        self.choose_texel(u).map(|(toward, _)| toward)
-    }
-
-    /// The direction of [`Environment::choose`], and the column and the row of its texel.
-    fn choose_texel(&self, u: Vec2) -> Option<(Dir3, (usize, usize))> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
         let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        Some((latlong::toward(turn, cosine), (column.cell, row.cell)))
+        Some(latlong::toward(turn, cosine))
     }
     // ANCHOR_END: sample_environment
 
@@ -125,9 +120,10 @@ impl Environment {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
-    /// The radiance of a texel, and the [`Environment::density`] of its directions. The texel's solid angle is a factor of its
-    /// probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
-    fn shines(&self, (x, y): (usize, usize)) -> (Rgb, f32) {
+    /// The radiance that comes from a direction, and the density of the direction, [`Environment::density`]. The texel's solid
+    /// angle is a factor of its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
+    fn shines(&self, toward: Dir3) -> (Rgb, f32) {
+        let (x, y) = self.texel(toward);
         let radiance = self.map.at(x, y);
         let density = f64::from(radiance.luminance()) / self.light;
         (radiance, density as f32)
@@ -142,17 +138,17 @@ impl Environment {
 }
 
 impl Light for Environment {
-    /// Radiance and density are both those of the texel that was chosen. At the texel's edge, by rounding, the direction may belong
-    /// to a neighbour: the sun's radiance over a dark neighbour's density would be a firefly.
+    /// Radiance and density are both looked up for the direction. At a texel's edge, by rounding, the direction may belong to the
+    /// neighbour of the texel that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let (toward, texel) = self.choose_texel(u)?;
-        let (radiance, pdf) = self.shines(texel);
+        let toward = self.choose(u)?;
+        let (radiance, pdf) = self.shines(toward);
         shine(toward, f32::INFINITY, radiance, pdf)
     }
 
     fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
         (farthest == f32::INFINITY).then(|| {
-            let (radiance, pdf) = self.shines(self.texel(ray.direction));
+            let (radiance, pdf) = self.shines(ray.direction);
             LightHit {
                 t: farthest,
                 radiance,

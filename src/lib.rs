@@ -21,7 +21,7 @@
 //!
 //! | floor | modules |
 //! |---|---|
-//! | 0 | threads, memory, store, math |
+//! | 0 | threads, vectors, memory, store, math |
 //! | 1 | image |
 //! | 2 | shape, sample |
 //! | 3 | accel |

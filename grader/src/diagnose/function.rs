@@ -47,17 +47,15 @@ impl Function {
     /// Whether a value can be taken for what the function takes: a length has no cosine, 2 has no arc cosine, and a number without
     /// a unit is only taken for degrees beside values that are angles.
     pub fn suits(&self, value: &[f64], unit: &str, has_angles: bool) -> bool {
+        // What counts something is no angle.
+        let counts = |v: &f64| v.fract() == 0.0 && v.abs() > 1.0;
+        let is_bare = unit.is_empty() && !value.iter().all(counts);
         let is_angle = match self.takes {
             Takes::Number => return true,
-            Takes::Angle => unit == "rad" || unit.is_empty(),
-            Takes::Units => unit == "rad" || unit.is_empty() && has_angles,
+            Takes::Angle => unit == "rad" || is_bare,
+            Takes::Units => unit == "rad" || is_bare && has_angles,
         };
-        // What counts something has no cosine.
-        let counts = |v: &f64| v.fract() == 0.0 && v.abs() > 1.0;
-        is_angle
-            && value
-                .iter()
-                .all(|v| (self.of)(*v).is_finite() && !counts(v))
+        is_angle && value.iter().all(|v| (self.of)(*v).is_finite())
     }
 }
 
@@ -143,12 +141,14 @@ mod tests {
         };
         for (name, value, unit, has_angles, suits) in [
             ("returns degrees", 2.0, "m", true, false),
-            ("returns degrees", 2.0, "", false, false),
-            ("returns degrees", 2.0, "", true, true),
+            ("returns degrees", 2.5, "", false, false),
+            ("returns degrees", 2.5, "", true, true),
+            ("returns degrees", 2.0, "", true, false),
             ("returns degrees", 2.0, "rad", true, true),
             ("returns the cosine", 2.0, "m", false, false),
-            ("returns the cosine", 2.0, "", false, true),
-            ("returns the arc cosine", 2.0, "", true, false),
+            ("returns the cosine", 2.5, "", false, true),
+            ("returns the cosine", 2.0, "", false, false),
+            ("returns the arc cosine", 2.5, "", true, false),
             ("returns the arc cosine", 0.5, "", true, true),
             ("returns the square of", 2.0, "m", false, true),
         ] {

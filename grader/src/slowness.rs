@@ -20,7 +20,7 @@ pub(crate) fn slowness() -> f64 {
     *SLOWNESS.get_or_init(|| measured().map_or(1.0, of))
 }
 
-/// The slowness of a machine on which the loop takes so many seconds.
+/// The slowness of a machine on which the loop takes `seconds`.
 fn of(seconds: f64) -> f64 {
     (seconds / USUAL).clamp(1.0, SLOWEST)
 }

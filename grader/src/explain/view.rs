@@ -67,6 +67,23 @@ pub fn shrunk(corners: [DVec2; 4], share: f64) -> [DVec2; 4] {
     corners.map(|p| middle.lerp(p, share))
 }
 
+/// Fills the rectangles of the right answer, and those of yours, each with a share of its width and height, so that both are seen. A list of a
+/// student's may hold anything: what has no rectangle is left out.
+pub fn fill_both(
+    drawing: &mut Diagram,
+    right: &[u32],
+    yours: Option<&Vec<u32>>,
+    [of_right, of_yours]: [f64; 2],
+    rectangle: impl Fn(u32) -> Option<[DVec2; 4]>,
+) {
+    let yours = yours.map_or(&[][..], Vec::as_slice);
+    for (answer, share, ink) in [(right, of_right, Ink::Right), (yours, of_yours, Ink::Yours)] {
+        for corners in answer.iter().filter_map(|number| rectangle(*number)) {
+            drawing.area(&shrunk(corners, share), ink);
+        }
+    }
+}
+
 /// The middle of a rectangle.
 pub fn middle(corners: &[DVec2; 4]) -> DVec2 {
     0.5 * (corners[0] + corners[2])

@@ -79,14 +79,7 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "takes the factor 1.055 into the power",
             hint: "Which comes first: the power of v, or the product with 1.055?",
-            answer: |q| {
-                let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 {
-                    12.92 * v
-                } else {
-                    (1.055 * v).powf(1.0 / 2.4) - 0.055
-                }
-            },
+            answer: |q| above_the_straight_piece(q, |v| (1.055 * v).powf(1.0 / 2.4) - 0.055),
         },
         Mistake {
             name: "divides by 12.92 near black",
@@ -103,26 +96,12 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "takes a pure power, a gamma of 2.2, above the straight piece",
             hint: "What stands beside the power of v in the formula, and which exponent has it?",
-            answer: |q| {
-                let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 {
-                    12.92 * v
-                } else {
-                    v.powf(1.0 / 2.2)
-                }
-            },
+            answer: |q| above_the_straight_piece(q, |v| v.powf(1.0 / 2.2)),
         },
         Mistake {
             name: "takes the 0.055 and the 1.055 into the power, as in the inverse curve",
             hint: "Try v = 1 and v = 0.5 with both curves: in which of them is the power of v alone?",
-            answer: |q| {
-                let v = q.v.clamp(0.0, 1.0);
-                if v <= 0.003_130_8 {
-                    12.92 * v
-                } else {
-                    ((v + 0.055) / 1.055).powf(1.0 / 2.4)
-                }
-            },
+            answer: |q| above_the_straight_piece(q, |v| ((v + 0.055) / 1.055).powf(1.0 / 2.4)),
         },
     ];
 
@@ -134,4 +113,14 @@ impl Graded for EncodeSrgb {
         question: |x, _| EncodeSrgb { v: x as f32 / 95.0 },
         colour: |_, code| Rgb::gray(*code),
     }];
+}
+
+/// The code value with another curve above the straight piece.
+fn above_the_straight_piece(q: &EncodeSrgb, curve: fn(f32) -> f32) -> f32 {
+    let v = q.v.clamp(0.0, 1.0);
+    if v <= 0.003_130_8 {
+        12.92 * v
+    } else {
+        curve(v)
+    }
 }

@@ -1,6 +1,6 @@
 //! `interpolate_normal`: random questions, judge and mistakes.
 
-use super::place;
+use super::{nearest_corner, place};
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -67,16 +67,7 @@ impl Graded for InterpolateNormal {
         Mistake {
             name: "returns the normal of the nearest corner, the one of the largest weight",
             hint: "Move the point a little: does the normal turn a little, or does it jump?",
-            answer: |q| {
-                let w0 = 1.0 - q.b.x - q.b.y;
-                if w0 >= q.b.x.max(q.b.y) {
-                    *q.n0
-                } else if q.b.x >= q.b.y {
-                    *q.n1
-                } else {
-                    *q.n2
-                }
-            },
+            answer: |q| [*q.n0, *q.n1, *q.n2][nearest_corner(q.b)],
         },
     ];
 }

@@ -1,6 +1,6 @@
 //! `interpolate_texture`: random questions, judge and mistakes.
 
-use super::place;
+use super::{nearest_corner, place};
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
@@ -86,16 +86,7 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "returns the coordinates of the nearest corner, the one of the largest weight",
             hint: "Move the point a little: do the coordinates change a little, or do they jump?",
-            answer: |q| {
-                let w0 = 1.0 - q.b.x - q.b.y;
-                if w0 >= q.b.x.max(q.b.y) {
-                    q.t0
-                } else if q.b.x >= q.b.y {
-                    q.t1
-                } else {
-                    q.t2
-                }
-            },
+            answer: |q| [q.t0, q.t1, q.t2][nearest_corner(q.b)],
         },
         Mistake {
             name: "goes along u by b1 alone, and along v by b2 alone",

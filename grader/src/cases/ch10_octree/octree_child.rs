@@ -134,30 +134,27 @@ impl Graded for OctreeChild {
         Mistake {
             name: "puts a point on the middle plane of x into the lower half, and is right along the other axes",
             hint: "Your three comparisons should be alike: which of them differs, > or >=?",
-            answer: |q| {
-                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
-                OctreeChild::answer(q) & (above | 6)
-            },
+            answer: |q| middle_is_below(q, 1),
         },
         Mistake {
             name: "puts a point on the middle plane of y into the lower half, and is right along the other axes",
             hint: "Your three comparisons should be alike: which of them differs, > or >=?",
-            answer: |q| {
-                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
-                OctreeChild::answer(q) & (above | 5)
-            },
+            answer: |q| middle_is_below(q, 2),
         },
         Mistake {
             name: "puts a point on the middle plane of z into the lower half, and is right along the other axes",
             hint: "Your three comparisons should be alike: which of them differs, > or >=?",
-            answer: |q| {
-                let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
-                OctreeChild::answer(q) & (above | 3)
-            },
+            answer: |q| middle_is_below(q, 4),
         },
     ];
 }
 
 pub(super) fn bits(above: glam::BVec3) -> u32 {
     above.bitmask()
+}
+
+/// The child, where a point on the middle plane of the axis of this bit is in the lower half.
+fn middle_is_below(q: &OctreeChild, bit: u32) -> u32 {
+    let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
+    OctreeChild::answer(q) & (above | !bit)
 }

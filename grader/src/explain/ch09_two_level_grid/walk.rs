@@ -4,7 +4,7 @@ use super::cells;
 use crate::explain::Explained;
 use crate::explain::diagram::{Diagram, Ink};
 use crate::explain::rays;
-use crate::explain::view::{View, middle, shrunk};
+use crate::explain::view::{View, fill_both, middle};
 use crate::explain::way::Way;
 use glam::{UVec3, Vec3, dvec2};
 use raybook::math::interval::Interval;
@@ -149,6 +149,17 @@ impl Explained for TwoLevelWalk {
         ));
         // Every fine cell's box, in the order of the row.
         let mut cells = Vec::new();
+        for coarse in levels.top.all() {
+            let Some((_, fine)) = levels.fine(coarse) else {
+                continue;
+            };
+            let boxes = fine.all().map(|cell| fine.bounds_of(cell, cell));
+            cells
+                .extend(boxes.map(|cell| view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3())));
+        }
+        // A list of a student's may hold anything.
+        let cell = |place: u32| cells.get(place as usize).copied();
+        fill_both(&mut drawing, right, yours, [0.94, 0.7], cell);
         for coarse in levels.top.all() {
             let Some((_, fine)) = levels.fine(coarse) else {
                 continue;

@@ -4,7 +4,7 @@ use super::leaves;
 use crate::explain::Explained;
 use crate::explain::diagram::{Diagram, Ink};
 use crate::explain::rays;
-use crate::explain::view::{View, middle, shrunk};
+use crate::explain::view::{View, fill_both, middle};
 use crate::explain::way::Way;
 use glam::{BVec3, DVec3, Vec3, dvec2};
 use raybook::inside::octree::child_cell;
@@ -140,20 +140,11 @@ impl Explained for OctreeWalk {
             view.words()
         ));
         let all = leaves(Aabb::new(self.min, self.max), &self.nodes);
-        let square = |node: &u32, share: f64| {
-            let (_, cell) = all.iter().find(|(leaf, _)| *leaf == *node as usize)?;
-            let square = view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3());
-            Some(shrunk(square, share))
+        let cell = |node: u32| {
+            let (_, cell) = all.iter().find(|(leaf, _)| *leaf == node as usize)?;
+            Some(view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3()))
         };
-        for (answer, share, ink) in [(Some(right), 0.96, Ink::Right), (yours, 0.75, Ink::Yours)] {
-            for square in answer
-                .into_iter()
-                .flatten()
-                .filter_map(|node| square(node, share))
-            {
-                drawing.area(&square, ink);
-            }
-        }
+        fill_both(&mut drawing, right, yours, [0.96, 0.75], cell);
         // The outlines of what the ray passes through: those behind and before it would only cover them.
         let [min, max] = [self.min, self.max].map(Vec3::as_dvec3);
         view.lattice(&mut drawing, [min, max], [2; 3]);

@@ -157,29 +157,8 @@ impl Explained for TwoLevelWalk {
             cells
                 .extend(boxes.map(|cell| view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3())));
         }
-        // A list of a student's may hold anything.
         let cell = |place: u32| cells.get(place as usize).copied();
         fill_both(&mut drawing, right, yours, [0.94, 0.7], cell);
-        for coarse in levels.top.all() {
-            let Some((_, fine)) = levels.fine(coarse) else {
-                continue;
-            };
-            let boxes = fine.all().map(|cell| fine.bounds_of(cell, cell));
-            cells
-                .extend(boxes.map(|cell| view.rectangle(cell.min.as_dvec3(), cell.max.as_dvec3())));
-        }
-        // A list of a student's may hold anything.
-        let square =
-            |place: &u32, share: f64| cells.get(*place as usize).map(|c| shrunk(*c, share));
-        for (answer, share, ink) in [(Some(right), 0.94, Ink::Right), (yours, 0.7, Ink::Yours)] {
-            for square in answer
-                .into_iter()
-                .flatten()
-                .filter_map(|place| square(place, share))
-            {
-                drawing.area(&square, ink);
-            }
-        }
         for coarse in levels.top.all() {
             let cell = levels.top.bounds_of(coarse, coarse);
             let corners = [cell.min, cell.max].map(Vec3::as_dvec3);
@@ -199,7 +178,7 @@ impl Explained for TwoLevelWalk {
         rays::across(&mut drawing, &view, &self.ray, self.within, corners);
         if right.len() < 16 {
             for place in right {
-                let Some(square) = square(place, 1.0) else {
+                let Some(square) = cell(*place) else {
                     continue;
                 };
                 drawing.label(

@@ -149,7 +149,7 @@ impl Explained for OctreeWalk {
         let [min, max] = [self.min, self.max].map(Vec3::as_dvec3);
         view.lattice(&mut drawing, [min, max], [2; 3]);
         for node in right {
-            let Some(mut outline) = square(node, 1.0).map(Vec::from) else {
+            let Some(mut outline) = cell(*node).map(Vec::from) else {
                 continue;
             };
             outline.push(outline[0]);
@@ -158,7 +158,7 @@ impl Explained for OctreeWalk {
         rays::across(&mut drawing, &view, &self.ray, self.within, [min, max]);
         if right.len() < 16 {
             for node in right {
-                let Some(square) = square(node, 1.0) else {
+                let Some(square) = cell(*node) else {
                     continue;
                 };
                 drawing.label(

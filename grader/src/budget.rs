@@ -1,9 +1,10 @@
 //! What a program may use in all: time and bytes, for each exercise and for a whole check.
 
 use crate::converse::Limits;
+use crate::slowness::slowness;
 use std::time::Duration;
 
-/// A limit of what all answers take together.
+/// A limit of what all answers take together; on a slow machine the time is longer.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Total {
     /// Time in which the program is waited for.
@@ -68,6 +69,8 @@ impl Over {
 #[derive(Clone, Debug)]
 pub(crate) struct Budget {
     accounts: [Account; 2],
+    /// By what limits of time are multiplied: 1 until the first is reached, then the slowness of this machine.
+    longer: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -95,6 +98,7 @@ impl Budget {
                 account(Whole::Exercise, limits.exercise),
                 account(Whole::Check, limits.check),
             ],
+            longer: 1.0,
         }
     }
 
@@ -112,12 +116,22 @@ impl Budget {
     }
 
     /// The limit that another `time` and `bytes` would reach, if they reach one.
-    pub(crate) fn over(&self, time: Duration, bytes: usize) -> Option<Over> {
+    pub(crate) fn over(&mut self, time: Duration, bytes: usize) -> Option<Over> {
+        let over = self.reached(time, bytes)?;
+        if matches!(over, Over::Bytes(..)) {
+            return Some(over);
+        }
+        self.longer = slowness();
+        self.reached(time, bytes)
+    }
+
+    fn reached(&self, time: Duration, bytes: usize) -> Option<Over> {
         self.accounts
             .iter()
             .find_map(|Account { whole, limit, used }| {
-                if used.time + time >= limit.time {
-                    Some(Over::Time(*whole, limit.time))
+                let longest = limit.time.mul_f64(self.longer);
+                if used.time + time >= longest {
+                    Some(Over::Time(*whole, longest))
                 } else if used.bytes.saturating_add(bytes) > limit.bytes {
                     Some(Over::Bytes(*whole, limit.bytes))
                 } else {
@@ -128,7 +142,8 @@ impl Budget {
 
     /// How long a conversation may be at the most.
     pub(crate) fn time_left(&self) -> Duration {
-        let left = |account: &Account| account.limit.time.saturating_sub(account.used.time);
+        let longest = |limit: Total| limit.time.mul_f64(self.longer);
+        let left = |account: &Account| longest(account.limit).saturating_sub(account.used.time);
         self.accounts.iter().map(left).min().unwrap_or_default()
     }
 }

@@ -265,13 +265,16 @@ fn check_and_draw(
     let drawn = match pixels {
         Pixels::None => false,
         Pixels::FirstWrong if state == State::Wrong => report.answers(),
-        Pixels::Renewed if state != State::Right => report.answers(),
-        Pixels::Some | Pixels::FirstWrong | Pixels::Renewed => {
-            state == State::Right && !some_are_right(asker, examiner, cases)?
+        Pixels::Renewed(_) if state != State::Right => report.answers(),
+        Pixels::Some | Pixels::FirstWrong => {
+            state == State::Right && !some_are_right(asker, examiner, cases, 0)?
+        }
+        Pixels::Renewed(round) => {
+            state == State::Right && !some_are_right(asker, examiner, cases, round)?
         }
         Pixels::All => report.answers(),
     };
-    let wanted = matches!(pixels, Pixels::All | Pixels::Renewed);
+    let wanted = matches!(pixels, Pixels::All | Pixels::Renewed(_));
     if drawn {
         let draw = if pixels == Pixels::FirstWrong {
             ask_to_first_wrong

@@ -48,7 +48,6 @@ mod tests {
 
     #[test]
     fn the_loop_takes_some_processor_time() {
-        // Where there is no Python, nothing is measured.
-        assert!(measured().is_none_or(|seconds| seconds > 0.0));
+        assert!(measured().is_some_and(|seconds| seconds > 0.0), "these tests need python3");
     }
 }

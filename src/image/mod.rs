@@ -107,7 +107,7 @@ impl Image {
         })
     }
 
-    /// The picture in another size: each pixel is the mean of the area that it covers.
+    /// The picture in another size: each pixel is the mean of the area that it covers; black if the picture has no pixel.
     ///
     /// ```
     /// use raybook::prelude::*;
@@ -116,9 +116,6 @@ impl Image {
     /// let two = ramp.resized(2, 1); // each covers a pixel, and half of the one in the middle
     /// assert_eq!([two.at(0, 0), two.at(1, 0)].map(|pixel| pixel.g.round()), [1.0, 5.0]);
     /// ```
-    ///
-    /// # Panics
-    /// If the picture has no pixel and the result has some.
     #[must_use]
     pub fn resized(&self, width: usize, height: usize) -> Self {
         Self::from_fn(width, height, |x, y| {

@@ -54,13 +54,14 @@ pub fn add_glints(
             continue; // beside the lens or behind it: no light comes in
         };
         let depth = (light.position - camera.view.focal_point).dot(*camera.view.forward);
-        let disc = camera.lens.circle_of_confusion(depth) / camera.view.plane;
+        let diameter = camera.lens.circle_of_confusion(depth);
+        let disc = diameter / camera.view.plane;
         // A disc that is not on the film needs no rays; it counts as a pixel wider than it is, because of rounding.
         let farthest = 0.5 + 0.5 * disc + vec2(width, height).recip();
         if (middle.film - 0.5).abs().cmpgt(farthest).any() {
             continue;
         }
-        let covered = FRAC_PI_4 * camera.lens.circle_of_confusion(depth).powi(2) / pixel;
+        let covered = FRAC_PI_4 * diameter.powi(2) / pixel;
         let rays = (PER_PIXEL * covered).clamp(RAYS[0], RAYS[1]) as usize;
         let points = place_in_pixel(rays, &mut pcg::stream(film.seed, i));
         for point in (0..rays).map(points) {

@@ -97,16 +97,17 @@ pub(crate) struct Shear {
 }
 
 impl Shear {
+    /// The axes that become x, y and z, by the axis that becomes z.
+    const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
+
     /// The shear of a ray.
     #[inline]
     pub(crate) fn along(ray: &Ray) -> Self {
-        /// The axes that become x, y and z, by the axis that becomes z.
-        const AXES: [[usize; 3]; 3] = [[1, 2, 0], [2, 0, 1], [0, 1, 2]];
         let Vec3 { x, y, z } = ray.direction.abs();
         // Sums of comparisons, not `if`: a processor cannot predict the axis, and a wrong prediction costs more than the whole
         // test.
         let x_is_less = usize::from(x < y) | usize::from(x < z);
-        let axes = AXES[x_is_less * (1 + usize::from(y < z))];
+        let axes = Self::AXES[x_is_less * (1 + usize::from(y < z))];
         let d = ray.direction.to_array();
         // One by one: `axes.map` remains a function call, and this code runs for every ray through a mesh.
         let (dx, dy, dz) = (d[axes[0]], d[axes[1]], d[axes[2]]);
@@ -133,11 +134,12 @@ impl Shear {
     #[inline]
     fn apply(&self, [a, b, c]: &[Vec3; 3], origin: Vec3) -> [Vec3A; 3] {
         let all = |i: usize| Vec3A::new(a[i], b[i], c[i]) - Vec3A::splat(origin[i]);
-        // One branch, the same for all triangles of a ray, where nine coordinates by number would be nine.
+        let by = |[x, y, z]: [usize; 3]| (all(x), all(y), all(z));
+        // One branch, the same for all triangles of a ray; where `axes` were asked, each of nine coordinates would be looked up.
         let (x, y, z) = match self.axes[2] {
-            0 => (all(1), all(2), all(0)),
-            1 => (all(2), all(0), all(1)),
-            _ => (all(0), all(1), all(2)),
+            0 => by(Self::AXES[0]),
+            1 => by(Self::AXES[1]),
+            _ => by(Self::AXES[2]),
         };
         let [sx, sy, sz] = self.slopes;
         [x - sx * z, y - sy * z, sz * z]

@@ -104,7 +104,7 @@ fn a_program_that_knows_the_cases_by_heart_is_wrong_without_any_wish_for_picture
         let examiner = cases::find(name).expect("it is an exercise");
         let cases = examiner.cases(&mut visible_rng(name)).cases;
         let of_cases = cases.iter().map(|case| case.question.clone());
-        let of_pixels = some_questions(examiner, &cases).into_iter();
+        let of_pixels = some_questions(examiner, &cases, 0).into_iter();
         // Further random questions are known too: what is told here is what pictures find.
         let further = examiner.rare_questions(&cases, Depth::Check).into_iter();
         let others = further.chain(of_pixels.filter(|_| pixels));

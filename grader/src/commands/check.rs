@@ -26,6 +26,7 @@ use std::collections::HashMap;
 use std::error::Error;
 use std::io;
 use std::path::{Path, PathBuf};
+use std::time::{SystemTime, UNIX_EPOCH};
 
 /// Checks a workbook, or any answer program.
 #[derive(clap::Args)]
@@ -109,10 +110,12 @@ impl Check {
         let before = gallery.as_deref().filter(|_| is_kept);
         let before = |one: &&dyn Examiner| Some((one.name(), right_pictures(*one, before?)?));
         let mut before: HashMap<_, _> = examiners.par_iter().filter_map(before).collect();
+        let round = SystemTime::now().duration_since(UNIX_EPOCH);
+        let round = round.map_or(0, |since| since.as_secs()); // another one at each check
         let pixels = |examiner: &dyn Examiner| match (self.case, &gallery) {
             (Some(_), _) => Pixels::None,
             (None, None) => Pixels::Some,
-            (None, Some(_)) if before.contains_key(examiner.name()) => Pixels::Renewed,
+            (None, Some(_)) if before.contains_key(examiner.name()) => Pixels::Renewed(round),
             (None, Some(_)) => Pixels::All,
         };
         // With a course's key, as a class is graded.
@@ -138,7 +141,13 @@ impl Check {
         let mut unwritten = Unwritten::default();
         let mut pictured = Vec::new();
         for (report, (examiner, _)) in reports.into_iter().zip(&exercises) {
-            let picture = unwritten.or_none(keep_pictures(&report, *examiner, gallery.as_deref()));
+            let kept = keep_pictures(
+                &report,
+                *examiner,
+                gallery.as_deref(),
+                self.pictures.is_none(),
+            );
+            let picture = unwritten.or_none(kept);
             let is_before = report.pictures.is_empty() && report.state() == State::Right;
             let before = before.remove(report.exercise).filter(|_| is_before);
             pictured.push((report, picture.flatten().or(before)));

@@ -1,4 +1,5 @@
-//! The pictures of the answers, kept in a file. Whoever is right is not asked for all pixels again: the file is as it would be.
+//! The pictures of the answers, kept in a file. Whoever was right and still is, in the cases and in some pixels, others at each check, is not
+//! asked for all pixels again.
 
 use raybook::image::{Image, file, rgb::Rgb};
 use raybook::store;
@@ -42,11 +43,13 @@ pub fn right_pictures(examiner: &dyn Examiner, folder: &Path) -> Option<PathBuf>
     is_right.then_some(png)
 }
 
-/// Writes the pictures of one exercise, a row of three for each; returns the file.
+/// Writes the pictures of one exercise, a row of three for each; returns the file. In a workbook, pictures that are right are marked as such, so
+/// that the next check need not draw them.
 pub fn keep_pictures(
     report: &Report,
     examiner: &dyn Examiner,
     folder: Option<&Path>,
+    in_workbook: bool,
 ) -> Result<Option<PathBuf>, Box<dyn Error>> {
     let Some(folder) = folder.filter(|_| !report.pictures.is_empty()) else {
         return Ok(None);
@@ -68,7 +71,7 @@ pub fn keep_pictures(
     let [path, right] = files(report.exercise, folder);
     file::save(&path, &sheet(3, &tiles)?)?;
     let is_right = |picture: &Triple| picture.score.wrong() == 0;
-    if report.state() == State::Right && report.pictures.iter().all(is_right) {
+    if in_workbook && report.state() == State::Right && report.pictures.iter().all(is_right) {
         store::write(&right, stamp(examiner, &store::read(&path)?).as_bytes())?;
     }
     Ok(Some(path))

@@ -248,7 +248,7 @@ impl Process {
                     bytes += text.len();
                     printed.complain(&text);
                 }
-                Ok(Event::Answer(text) | Event::Print(text, _)) => bytes += text.len(),
+                Ok(Event::Answer(text) | Event::Print(text, _)) => bytes += text.len() + 1,
                 Ok(Event::End) => {}
                 Err(RecvTimeoutError::Timeout) if !self.clock.is_over(WHERE, Duration::ZERO) => {}
                 Err(_) => break,

@@ -19,8 +19,9 @@ pub enum Pixels {
     FirstWrong,
     /// All, for a picture that is looked at.
     All,
-    /// As `Some` of who is right, whose picture was drawn before, and all of others.
-    Renewed,
+    /// As `Some` of who is right, whose picture was drawn before, and all of others. Which pixels, depends on the number too: another
+    /// number at each check, and what is wrong in few of them is found by one of the next checks.
+    Renewed(u64),
 }
 
 /// One pixel of this number in reading order is asked, where no picture is wanted: 144 of each scene of `trace`. With 5 % of a
@@ -64,7 +65,7 @@ pub fn ask_to_first_wrong(
 }
 
 /// Asks the program some pixels of all the exercise's pictures, and returns whether all are right. Which they are follows from
-/// the cases: who cannot foresee these cannot foresee the pixels.
+/// the cases, and from `round`: who cannot foresee these cannot foresee the pixels.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -72,8 +73,9 @@ pub fn some_are_right(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
     cases: &[Case],
+    round: u64,
 ) -> io::Result<bool> {
-    let questions = some_questions(examiner, cases);
+    let questions = some_questions(examiner, cases, round);
     let line = |question: &Vec<f64>| row::format(examiner.asked().question, question);
     let lines: Vec<_> = questions.iter().map(line).collect();
     let (answers, _) = ask(asker, examiner, &lines)?;
@@ -83,12 +85,12 @@ pub fn some_are_right(
 }
 
 /// The questions of some pixels, in numbers: one of each stretch of `STRETCH`.
-pub fn some_questions(examiner: &dyn Examiner, cases: &[Case]) -> Vec<Vec<f64>> {
+pub fn some_questions(examiner: &dyn Examiner, cases: &[Case], round: u64) -> Vec<Vec<f64>> {
     let bytes = cases.iter().flat_map(|case| case.question.bytes());
     let seed = bytes.fold(0_u64, |seed, byte| {
         seed.wrapping_mul(257).wrapping_add(u64::from(byte))
     });
-    let mut rng = pcg::stream(seed, 0);
+    let mut rng = pcg::stream(seed, round);
     let mut questions = Vec::new();
     for (picture, PictureSize { width, height, .. }) in examiner.pictures().into_iter().enumerate()
     {

@@ -1,7 +1,7 @@
 //! What a program may use in all: time and bytes, for each exercise and for a whole check.
 
 use crate::converse::Limits;
-use crate::slowness::slowness;
+use crate::slowness::{known, slowness};
 use std::time::Duration;
 
 /// A limit of what all answers take together; on a slow machine the time is longer.
@@ -69,8 +69,6 @@ impl Over {
 #[derive(Clone, Debug)]
 pub(crate) struct Budget {
     accounts: [Account; 2],
-    /// By what limits of time are multiplied: 1 until the first is reached, then the slowness of this machine.
-    longer: f64,
 }
 
 #[derive(Clone, Debug)]
@@ -98,7 +96,6 @@ impl Budget {
                 account(Whole::Exercise, limits.exercise),
                 account(Whole::Check, limits.check),
             ],
-            longer: 1.0,
         }
     }
 
@@ -116,20 +113,20 @@ impl Budget {
     }
 
     /// The limit that another `time` and `bytes` would reach, if they reach one.
-    pub(crate) fn over(&mut self, time: Duration, bytes: usize) -> Option<Over> {
-        let over = self.reached(time, bytes)?;
-        if matches!(over, Over::Bytes(..)) {
-            return Some(over);
+    pub(crate) fn over(&self, time: Duration, bytes: usize) -> Option<Over> {
+        let over = self.reached(time, bytes, known())?;
+        match over {
+            Over::Time(..) => self.reached(time, bytes, slowness()),
+            Over::Bytes(..) => Some(over),
         }
-        self.longer = slowness();
-        self.reached(time, bytes)
     }
 
-    fn reached(&self, time: Duration, bytes: usize) -> Option<Over> {
+    /// The same, with limits of time that are `longer` times as long.
+    fn reached(&self, time: Duration, bytes: usize, longer: f64) -> Option<Over> {
         self.accounts
             .iter()
             .find_map(|Account { whole, limit, used }| {
-                let longest = limit.time.mul_f64(self.longer);
+                let longest = limit.time.mul_f64(longer);
                 if used.time + time >= longest {
                     Some(Over::Time(*whole, longest))
                 } else if used.bytes.saturating_add(bytes) > limit.bytes {
@@ -142,7 +139,7 @@ impl Budget {
 
     /// How long a conversation may be at the most.
     pub(crate) fn time_left(&self) -> Duration {
-        let longest = |limit: Total| limit.time.mul_f64(self.longer);
+        let longest = |limit: Total| limit.time.mul_f64(known());
         let left = |account: &Account| longest(account.limit).saturating_sub(account.used.time);
         self.accounts.iter().map(left).min().unwrap_or_default()
     }

@@ -16,9 +16,15 @@ const SLOWEST: f64 = 8.0;
 /// By what time limits are multiplied on this machine: 1 or more, and 1 where there is no Python. The loop runs at the first call, which
 /// comes when a program seems to be late: who is in time does not wait for it.
 pub(crate) fn slowness() -> f64 {
-    static SLOWNESS: OnceLock<f64> = OnceLock::new();
     *SLOWNESS.get_or_init(|| measured().map_or(1.0, of))
 }
+
+/// The same if it was measured already, else 1.
+pub(crate) fn known() -> f64 {
+    SLOWNESS.get().copied().unwrap_or(1.0)
+}
+
+static SLOWNESS: OnceLock<f64> = OnceLock::new();
 
 /// The slowness of a machine on which the loop takes `seconds`.
 fn of(seconds: f64) -> f64 {

@@ -195,7 +195,7 @@ impl View {
         let phi = self.before + u.x * self.solid_angle;
         let s = phi.sin() / (s0 * s0 - 2.0 * s0 * s1 * phi.cos() + s1 * s1).sqrt();
         let x = back(s, self.h).clamp(self.x[0], self.x[1]);
-        let d = x.hypot(self.h);
+        let d = (x * x + self.h * self.h).sqrt();
         let (low, high) = (sine(self.y[0], d), sine(self.y[1], d));
         let y = back(low + u.y * (high - low), d).clamp(self.y[0], self.y[1]);
         x * self.axes[0] + y * self.axes[1] + self.h * self.axes[2]
@@ -205,7 +205,7 @@ impl View {
 // ANCHOR: rect_solid_angle
 /// s(v) = v/√(v² + h²): the sine of the angle between the plumb line, h long, and the line from the viewer to v.
 fn sine(v: f64, h: f64) -> f64 {
-    v / v.hypot(h)
+    v / (v * v + h * h).sqrt()
 }
 
 /// The solid angle, in steradians, of the strip between the plumb line and x, from the sines of x and of the sides across.

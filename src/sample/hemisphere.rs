@@ -38,8 +38,8 @@ pub fn uniform_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
 /// direction of the hemisphere. An area of the hemisphere is larger by 1/cos θ than its projection to the disc. So the density of
 /// the directions is the density on the disc, 1/π, times cos θ.
 pub fn cosine_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
-    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-    let above_disc = vec3(r * phi.cos(), r * phi.sin(), (1.0 - u.x).sqrt());
+    let (r, (sin, cos)) = (u.x.sqrt(), (TAU * u.y).sin_cos());
+    let above_disc = vec3(r * cos, r * sin, (1.0 - u.x).sqrt());
     Dir3::new_or(Basis::around(normal).to_world(above_disc), normal)
 }
 // ANCHOR_END: cosine_hemisphere
@@ -70,7 +70,7 @@ pub fn lobe_pdf(cosine: f32, n: f32) -> f32 {
 
 /// The direction at an angle of this cosine to the axis, turned around the axis by the fraction `around` of a full turn.
 fn at_height(axis: Dir3, cosine: f32, around: f32) -> Dir3 {
-    let (r, phi) = ((1.0 - cosine * cosine).max(0.0).sqrt(), TAU * around);
-    let v = vec3(r * phi.cos(), r * phi.sin(), cosine);
+    let (r, (sin, cos)) = ((1.0 - cosine * cosine).max(0.0).sqrt(), (TAU * around).sin_cos());
+    let v = vec3(r * cos, r * sin, cosine);
     Dir3::new_or(Basis::around(axis).to_world(v), axis)
 }

@@ -200,20 +200,27 @@ impl Mesh {
         );
         let textures = corners.map(|i| self.textures[i]);
         let texture = interpolate_texture(textures, hit.uv);
-        let mut shading_normal = interpolate_normal(normals, hit.uv);
+        let flat = triangle.surface(ray, hit);
+        // The corners of walls and boxes often have one normal.
+        let is_flat = normals[0] == normals[1] && normals[0] == normals[2];
+        let (mut shading_normal, lift) = if is_flat {
+            (normals[0], Vec3::ZERO)
+        } else {
+            let lift = lift(flat.position, places, normals, hit.uv);
+            (interpolate_normal(normals, hit.uv), lift)
+        };
         if let Some(bumps) = &self.bumps {
             let ([p0, p1, p2], [t0, t1, t2]) = (places, textures);
             let (edges, along) = ([p1 - p0, p2 - p0], [t1 - t0, t2 - t0]);
             shading_normal = bumps.tilt(shading_normal, edges, along, texture);
         }
-        let flat = triangle.surface(ray, hit);
         // `flat` has the texture coordinates (0, 0), (1, 0) and (0, 1): `share` is the ratio of the areas.
         let share = (textures[1] - textures[0]).perp_dot(textures[2] - textures[0]);
         Surface {
             shading_normal,
             texture,
             texture_per_metre: flat.texture_per_metre * share.abs().sqrt(),
-            lift: lift(flat.position, places, normals, hit.uv),
+            lift,
             ..flat
         }
     }

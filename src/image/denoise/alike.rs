@@ -32,8 +32,9 @@ const UNSEEN: f32 = 1e-6;
 /// Maximum d²: a pixel that differs more is left out, for its weight would be below 10⁻³.
 const MOST: f32 = 6.9;
 
-/// Rows of a band: the weights of one band at a time are in memory.
-pub(super) const ROWS: usize = 24;
+/// Rows of a band: the weights of one band at a time are in memory. With more rows, those of a step would be taken from the system, and given
+/// back, for each step.
+pub(super) const ROWS: usize = 12;
 
 /// A pixel's number, row by row, and its weight.
 pub(super) type Weighted = (u32, f32);
@@ -83,9 +84,12 @@ impl Alike {
         let patches = rows.clone().map(|y| patch(y, inside_rows));
         let all = patches.clone().reduce(|all, last| all.start..last.end);
         let all = all.unwrap_or_default();
-        let mut distances = Vec::with_capacity(all.len() * columns.len());
-        for y in all.clone() {
-            distances.extend(self.distances(by, y, columns));
+        let mut distances = vec![0.0; all.len() * columns.len()];
+        for (y, row) in all
+            .clone()
+            .zip(distances.chunks_exact_mut(columns.len().max(1)))
+        {
+            self.distances(by, y, columns, row);
         }
         let row = |y: usize| &distances[(y - all.start) * columns.len()..][..columns.len()];
         let mut sums = Vec::with_capacity(rows.len() * columns.len());
@@ -106,29 +110,28 @@ impl Alike {
         }
     }
 
-    /// How much more the pixels of row y, in these columns, differ than by noise from those that are a step away: the mean of three
-    /// channels.
+    /// Writes how much more the pixels of row y, in these columns, differ than by noise from those that are a step away: the mean of
+    /// three channels.
     #[inline(always)]
-    fn distances<'a>(
-        &'a self,
+    fn distances(
+        &self,
         [dx, dy]: [isize; 2],
         y: usize,
         columns: &Range<usize>,
-    ) -> impl Iterator<Item = f32> + 'a {
+        distances: &mut [f32],
+    ) {
         let (p, n) = (y * self.width + columns.start, columns.len());
         let q = p.wrapping_add_signed(dy * self.width as isize + dx);
         // Slices of one length: so the compiler compares several pixels at once.
         let channel = |i: usize| {
-            let row = |of: &'a [Vec<f32>; 3], first: usize| &of[i][first..][..n];
-            let [picture, variance] = [&self.picture, &self.variance];
-            let (p, q) = (
-                [row(picture, p), row(variance, p)],
-                [row(picture, q), row(variance, q)],
-            );
+            let [picture, variance] = [&self.picture[i], &self.variance[i]];
+            let [p, q] = [p, q].map(|first| [&picture[first..][..n], &variance[first..][..n]]);
             move |x: usize| distance(p.map(|of| of[x]), q.map(|of| of[x]))
         };
         let (r, g, b) = (channel(0), channel(1), channel(2));
-        (0..n).map(move |x| (r(x) + g(x) + b(x)) * (1.0 / 3.0))
+        for (x, distance) in distances[..n].iter_mut().enumerate() {
+            *distance = (r(x) + g(x) + b(x)) * (1.0 / 3.0);
+        }
     }
 }
 
@@ -214,9 +217,10 @@ impl Step {
         }
         let (across, down) = (patch(x, columns), patch(y, rows));
         let row = &self.sums[(y - self.rows.start) * columns.len()..];
-        let sum: f32 = row[across.start - columns.start..][..across.len()]
-            .iter()
-            .sum();
+        let row = &row[across.start - columns.start..][..across.len()];
+        // Most patches are whole: a loop of a fixed number of rounds is none.
+        let whole: Result<&[f32; 2 * PATCH + 1], _> = row.try_into();
+        let sum: f32 = whole.map_or_else(|_| row.iter().sum(), |whole| whole.iter().sum());
         let squared = (sum / (across.len() * down.len()) as f32).max(0.0);
         (squared < MOST).then(|| (-squared).exp())
     }

@@ -1,4 +1,7 @@
 //! Loops over many numbers, compiled for the wide vectors of a processor that has them.
+//!
+//! The kernels of the wide tree (`accel/wide_bvh/proof.rs`) ask for the instructions that they name, and are another program for each set of
+//! them. Here the program is the same, and only the compiler uses wider vectors.
 #![cfg_attr(
     target_arch = "x86_64",
     expect(

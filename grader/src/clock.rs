@@ -5,7 +5,7 @@
 
 use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
-use crate::stat::{Stat, is_of, processes};
+use crate::stat::{Stat, is_in_group, processes};
 use crate::suspend::now;
 use std::time::{Duration, Instant};
 
@@ -135,7 +135,7 @@ impl Clock {
 pub fn usage(group: u32) -> Option<Usage> {
     let ticks = rustix::param::clock_ticks_per_second();
     let mut usage = None;
-    for (_, folder) in processes().filter(|(process, _)| is_of(*process, group)) {
+    for (_, folder) in processes().filter(|(process, _)| is_in_group(*process, group)) {
         let Some(stat) = Stat::read(&folder.join("stat")) else {
             continue;
         };

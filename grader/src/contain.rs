@@ -4,7 +4,7 @@ use crate::keys;
 use crate::mutex::lock;
 use crate::sandbox::Sandbox;
 #[cfg(target_os = "linux")]
-use crate::stat::{Stat, is_of, processes};
+use crate::stat::{Stat, is_in_group, processes};
 use crate::suspend;
 #[cfg(target_os = "linux")]
 use rustix::process::Pid;
@@ -280,7 +280,7 @@ fn left(group: u32, mark: &str) -> impl Iterator<Item = Pid> {
         stat.is_some_and(|stat| !stat.has_ended())
     };
     let is_left = move |process: Pid, folder: &Path| {
-        is_of(process, group) && goes_on(folder) || is_marked(folder)
+        is_in_group(process, group) && goes_on(folder) || is_marked(folder)
     };
     processes().filter_map(move |(process, folder)| is_left(process, &folder).then_some(process))
 }

@@ -54,7 +54,7 @@ pub(crate) fn processes() -> impl Iterator<Item = (Pid, PathBuf)> {
 
 /// Whether a process is of the group of this number: far sooner known than by its `stat`, for programs end by the thousand. (nix, since
 /// rustix knows no group 0, which the kernel's own processes have.)
-pub(crate) fn is_of(process: Pid, group: u32) -> bool {
+pub(crate) fn is_in_group(process: Pid, group: u32) -> bool {
     let process = nix::unistd::Pid::from_raw(process.as_raw_nonzero().get());
     getpgid(Some(process)).is_ok_and(|of| of.as_raw().unsigned_abs() == group)
 }

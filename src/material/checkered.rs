@@ -20,7 +20,8 @@ impl<M: Material + Copy> Texture for Checkered<M> {
     type Material = M;
 
     fn at(&self, surface: &Surface) -> M {
-        if surface.texture.floor().element_sum() % 2.0 == 0.0 {
+        let square = surface.texture.floor().as_ivec2();
+        if (square.x ^ square.y) & 1 == 0 {
             self.0
         } else {
             self.1

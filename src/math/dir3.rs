@@ -28,13 +28,10 @@ impl Dir3 {
     // ANCHOR: direction
     /// v/|v|, or `None` where v has no direction: zero, infinite or NaN.
     ///
-    /// Where |v|² may overflow or vanish, v is first divided by its largest component: a vector of length 1e-30 has a direction
-    /// too, though its square is 0 in `f32`.
+    /// v is first divided by its largest component, so that no square overflows or vanishes:
+    /// a vector of length 1e-30 has a direction too, though its square is 0 in `f32`.
     #[inline]
     pub fn new(v: Vec3) -> Option<Self> {
-        if (1e-20..1e20).contains(&v.length_squared()) {
-            return Some(Self(v.normalize()));
-        }
         let largest = v.abs().max_element();
         let usable = largest > 0.0 && v.is_finite();
         usable.then(|| Self((v / largest).normalize()))

@@ -251,11 +251,44 @@ fn neighbours(picture: &Image, f: impl Fn(&mut dyn Iterator<Item = Rgb>) -> Rgb)
 
 #[cfg(test)]
 mod tests {
-    use super::{Guide, denoise};
+    use super::{Guide, PLACE, Spread, Terms, denoise};
     use crate::image::{Image, rgb::Rgb};
     use crate::math::pcg;
+    use crate::vectors::{Loops, widest};
     use glam::Vec3;
     use rand::RngExt;
+
+    /// On a processor without AVX2, both are the same code.
+    #[test]
+    fn wide_vectors_change_no_bit_of_a_plane() {
+        let picture = step(1);
+        let terms: Vec<_> = (0..picture.pixels.len())
+            .map(|i| Terms::<PLACE>::of([i % 48, i / 48], Guide::default()))
+            .collect();
+        let around: Vec<_> = (0..300).map(|q| (q, 1.0 / (1.0 + q as f32))).collect();
+        let [plain, wide] = [false, true].map(|is_wide| {
+            let mut sums = vec![(Rgb::BLACK, 0.0); picture.pixels.len()];
+            let spread = Spread {
+                pixels: &picture.pixels,
+                terms: &terms,
+                p: 100,
+                around: &around,
+                sums: &mut sums,
+            };
+            if is_wide {
+                widest(spread)
+            } else {
+                spread.run()
+            }
+            sums
+        });
+        let bits = |sums: &[(Rgb, f32)]| -> Vec<u32> {
+            let numbers = |(sum, weight): &(Rgb, f32)| [sum.r, sum.g, sum.b, *weight];
+            sums.iter().flat_map(numbers).map(f32::to_bits).collect()
+        };
+        assert!(plain.iter().any(|(sum, _)| *sum != Rgb::BLACK));
+        assert_eq!(bits(&plain), bits(&wide));
+    }
 
     /// A step from dark to bright in the middle, with noise of a tenth.
     fn step(seed: u64) -> Image {

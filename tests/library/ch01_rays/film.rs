@@ -217,7 +217,7 @@ fn what_was_ended_is_not_denoised() {
         "else it is denoised"
     );
 
-    // Two threads denoise: each asks once more after the end.
+    // Two threads denoise: each asks at most twice more after the end, before a row and before a band of rows.
     let asked = AtomicUsize::new(0);
     let later = |_: Done| match asked.fetch_add(1, Ordering::Relaxed) {
         0..20 => ControlFlow::Continue(()),
@@ -229,7 +229,11 @@ fn what_was_ended_is_not_denoised() {
     };
     let left = stopped.denoised(&[], noise);
     assert!(left.same_bits(&one), "also when denoising has begun");
-    assert_eq!(asked.into_inner(), 20 + 2 + 1, "denoising ends at once");
+    let asked = asked.into_inner();
+    assert!(
+        asked <= 20 + 2 * 2 + 1,
+        "denoising ends at once, and not after {asked} questions"
+    );
 }
 
 #[test]

@@ -133,7 +133,7 @@ def tell(lines: List[bytes]) -> None:
     texts = [line.decode(errors="replace") for line in lines]
     for name, alike in itertools.groupby(texts, name_of):
         for said in answers(name, list(alike)):
-            # What the function printed may have left the line open, and an answer begins one.
+            # What the function printed may have left the line open, and an answer begins one. With the end in the text it is one write.
             print(f"\n= {said}\n", end="", flush=True)
 
 

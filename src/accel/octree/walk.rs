@@ -57,7 +57,6 @@ struct Open {
 
 impl<'a> Walk<'a> {
     /// Starts the walk of a ray.
-    #[inline]
     pub fn new(tree: &'a Tree, ray: &Ray, within: Interval) -> Self {
         let sizes = ray.origin.abs() + tree.bounds.min.abs().max(tree.bounds.max.abs());
         let step = ROUNDINGS * 0.5 * f32::EPSILON * sizes + f32::MIN_POSITIVE;
@@ -190,7 +189,6 @@ impl<'a> Walk<'a> {
 }
 
 /// The bits of eight children, moved to the children's numbers in the order of the ray.
-#[inline]
 fn mirrored(mut bits: u8, mirror: usize) -> u8 {
     for (axis, lower) in LOWER.into_iter().enumerate() {
         if mirror >> axis & 1 != 0 {

@@ -58,13 +58,27 @@ impl Instance {
     }
     // ANCHOR_END: instance
 
-    /// An interval of the ray in the coordinates of the original shape, widened by two ulps at each end, because the conversions
-    /// there and back are rounded. A `min` of 0 or more does not become negative: structures are fastest for intervals from 0 on.
+    /// The interval of the ray in the coordinates of the original shape, exactly: x lies in it if x·`scale`, rounded, lies in
+    /// `within`.
     fn stretch(&self, within: Interval) -> Interval {
-        let min = (within.min / self.scale).next_down().next_down();
-        let max = (within.max / self.scale).next_up().next_up();
-        let least = if within.min < 0.0 { min } else { 0.0 };
-        Interval::new(min.max(least), max)
+        Interval::new(-self.least(-within.min), self.least(within.max))
+    }
+
+    /// The least x for which x·`scale`, rounded, is not below the limit.
+    fn least(&self, limit: f32) -> f32 {
+        // The quotient and the product are rounded: the quotient is at most one step off.
+        let x = limit / self.scale;
+        let x = if x * self.scale < limit {
+            x.next_up()
+        } else {
+            x
+        };
+        let before = x.next_down();
+        if before * self.scale < limit {
+            x
+        } else {
+            before
+        }
     }
 
     /// A direction of the original shape, rotated.
@@ -110,20 +124,13 @@ impl Shape for Instance {
     }
 
     fn hit(&self, ray: &Ray, within: Interval) -> Option<Hit> {
-        let (ray, mut stretch) = (self.back(ray), self.stretch(within));
-        loop {
-            let hit = self.shape.hit(&ray, stretch)?;
-            let t = hit.t * self.scale;
-            if within.contains(t) || t >= within.max {
-                return within.contains(t).then_some(Hit { t, ..hit });
-            }
-            stretch.min = hit.t; // this hit is before the exact interval: look for the next
-        }
+        let hit = self.shape.hit(&self.back(ray), self.stretch(within))?;
+        let t = hit.t * self.scale;
+        Some(Hit { t, ..hit })
     }
 
     fn blocks(&self, ray: &Ray, within: Interval) -> bool {
-        let blocked = self.shape.blocks(&self.back(ray), self.stretch(within));
-        blocked && self.hit(ray, within).is_some()
+        self.shape.blocks(&self.back(ray), self.stretch(within))
     }
 
     fn surface(&self, ray: &Ray, hit: &Hit) -> Surface {

@@ -1,8 +1,8 @@
 //! How long building takes, and how much memory the result.
 
+use crate::meshes::Scene;
 use crate::racer::{Entry, Racer};
 use peak_alloc::PeakAlloc;
-use raybook::shape::mesh::Mesh;
 use std::time::Instant;
 
 /// Counts all memory of Rust's; Embree counts its own.
@@ -33,7 +33,7 @@ impl Built {
 ///
 /// # Errors
 /// If it cannot be built.
-pub(crate) fn build(entry: &Entry, mesh: &Mesh, times: usize) -> Result<Built, String> {
+pub(crate) fn build(entry: &Entry, scene: &Scene, times: usize) -> Result<Built, String> {
     let mut seconds = [f64::INFINITY; 2];
     let mut built = None;
     for _ in 0..times {
@@ -45,7 +45,7 @@ pub(crate) fn build(entry: &Entry, mesh: &Mesh, times: usize) -> Result<Built, S
             drop(built.take());
             let before = MEMORY.current_usage();
             let start = Instant::now();
-            let racer = pool.install(|| (entry.build)(mesh, threads))?;
+            let racer = pool.install(|| (entry.build)(scene, threads))?;
             *best = best.min(start.elapsed().as_secs_f64());
             let grown = MEMORY.current_usage().saturating_sub(before);
             let bytes = racer.bytes().unwrap_or(grown);
@@ -53,7 +53,7 @@ pub(crate) fn build(entry: &Entry, mesh: &Mesh, times: usize) -> Result<Built, S
         }
     }
     let (racer, bytes) = built.ok_or("built no time")?;
-    let bytes_per_triangle = bytes as f64 / mesh.triangles().len() as f64;
+    let bytes_per_triangle = bytes as f64 / scene.mesh.triangles().len() as f64;
     Ok(Built {
         racer: Some(racer),
         seconds,

@@ -7,7 +7,7 @@ use raybook::shape::mesh::{Mesh, MeshError};
 use std::f32::consts::TAU;
 
 /// Corners, three for each triangle.
-type Soup = Vec<Vec3>;
+pub(crate) type Soup = Vec<Vec3>;
 
 /// A hall of 24 m by 12 m, 6 m high, open at its ends: planks, columns, blinds, railings, beams, and ropes across all of it.
 /// About 100,000 triangles, most of them fifty to five hundred times as long as wide.
@@ -112,7 +112,7 @@ pub(crate) fn hair_ball(seed: u64) -> Result<Mesh, MeshError> {
 }
 
 /// A bar with a square section, from one point to another: twelve triangles.
-fn bar(all: &mut Soup, from: Vec3, to: Vec3, width: f32) {
+pub(crate) fn bar(all: &mut Soup, from: Vec3, to: Vec3, width: f32) {
     let along = (to - from).normalize_or(Vec3::X);
     let (u, v) = along.any_orthonormal_pair();
     let ring = [u + v, u - v, -u - v, v - u].map(|p| 0.5 * width * p);
@@ -141,12 +141,16 @@ fn tube(all: &mut Soup, from: Vec3, to: Vec3, ring: &[Vec3]) {
 }
 
 /// A direction, roughly evenly.
-fn direction(rng: &mut Pcg) -> Vec3 {
+pub(crate) fn direction(rng: &mut Pcg) -> Vec3 {
     let mut one = || 2.0 * rng.random::<f32>() - 1.0;
     vec3(one(), one(), one()).normalize_or(Vec3::X)
 }
 
-fn mesh(corners: Soup) -> Result<Mesh, MeshError> {
+/// The mesh of these corners.
+///
+/// # Errors
+/// If a number is outside the domain.
+pub(crate) fn mesh(corners: Soup) -> Result<Mesh, MeshError> {
     let triangles = (0..corners.len() as u32 / 3).map(|i| [3 * i, 3 * i + 1, 3 * i + 2]);
     let triangles = triangles.collect();
     Mesh::new(corners, triangles, None, None)

@@ -4,6 +4,7 @@
 //! `how.txt` and `ratios.png`. `README.md` beside this package says what is measured and how.
 
 mod construction;
+mod forest;
 mod generated;
 mod meshes;
 mod plot;
@@ -97,8 +98,8 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         drop(embree);
         let mut built = Vec::new();
         for entry in ENTRIES {
-            if is_wanted(entry.name) && triangles <= entry.at_most && (entry.is_here)() {
-                built.push((entry, construction::build(entry, &scene.mesh, builds)?));
+            if is_wanted(entry.name) && triangles <= entry.at_most && (entry.takes_part)(&scene) {
+                built.push((entry, construction::build(entry, &scene, builds)?));
             }
         }
         let (entries, mut made): (Vec<_>, Vec<_>) = built.into_iter().unzip();
@@ -115,7 +116,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         save(&options.out, &rows, &how)?; // after each mesh: what was measured is not lost if the next one fails
     }
     println!(
-        "\n{} has ratios.csv, builds.csv, how.txt and ratios.png",
+        "\n{} has ratios.csv, builds.csv, instances.csv, how.txt and ratios.png",
         options.out.display()
     );
     Ok(())

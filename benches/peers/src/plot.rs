@@ -25,7 +25,7 @@ const MOST: f64 = 3.0;
 const TICKS: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0];
 
 /// A colour and a form for each mesh: either would do.
-const MARKS: [(RGBColor, Form); 8] = [
+const MARKS: [(RGBColor, Form); 9] = [
     (SKY, Form::Ring),
     (BLUE, Form::Disc),
     (VERMILION, Form::Square),
@@ -34,6 +34,7 @@ const MARKS: [(RGBColor, Form); 8] = [
     (PURPLE, Form::Diamond),
     (INK, Form::Cross),
     (VERMILION, Form::Ring),
+    (GREEN, Form::Up),
 ];
 
 #[derive(Clone, Copy)]
@@ -134,7 +135,7 @@ fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[
         // The meshes one under the other: they do not hide each other.
         let spread = (ROW - 24) * (2 * mesh as i32 + 1) / (2 * MESHES.len() as i32);
         let y = HEAD + ROW * i as i32 + 12 + spread;
-        mark(canvas, mesh, (x(row.lap.ratio), y))?;
+        mark(canvas, mesh, (x(row.lap.ratios.median()), y))?;
     }
     Ok(())
 }

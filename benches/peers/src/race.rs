@@ -18,14 +18,34 @@ pub(crate) struct Lap {
     pub racer: usize,
     /// What was asked.
     pub query: Query,
-    /// Its rays per second, divided by those of Embree in the same round: the median of the rounds.
-    pub ratio: f64,
-    /// The same of the rounds below which a tenth and nine tenths of them are.
-    pub spread: [f64; 2],
+    /// Its rays per second, divided by those of Embree in the same round.
+    pub ratios: Ratios,
     /// Its rays per second, from the same median.
     pub speed: f64,
     /// The part of the rays on which it agrees with Embree.
     pub agree: f64,
+}
+
+/// A ratio of speeds for each round.
+#[derive(Clone, Debug)]
+pub(crate) struct Ratios(Vec<f64>);
+
+impl Ratios {
+    /// The median of the rounds.
+    pub(crate) fn median(&self) -> f64 {
+        median(self.0.clone())
+    }
+
+    /// What a tenth and nine tenths of the rounds are below.
+    pub(crate) fn spread(&self) -> [f64; 2] {
+        [0.1, 0.9].map(|part| quantile(self.0.clone(), part))
+    }
+
+    /// The ratios of this one's speed to another one's: both are ratios to the same speeds.
+    pub(crate) fn to(&self, other: &Self) -> Self {
+        let both = self.0.iter().zip(&other.0);
+        Self(both.map(|(ours, theirs)| ours / theirs).collect())
+    }
 }
 
 /// Lets all run over the set for a number of rounds; the first of the racers is Embree, and in each of its laps the ratio is 1.
@@ -134,8 +154,7 @@ impl Runner {
         Lap {
             racer: self.racer,
             query: self.query,
-            spread: [0.1, 0.9].map(|part| quantile(ratios.clone(), part)),
-            ratio: median(ratios),
+            ratios: Ratios(ratios),
             speed: median(speeds),
             agree: self.same as f64 / self.asked as f64,
         }
@@ -143,7 +162,7 @@ impl Runner {
 }
 
 /// The middle one of the numbers; of two middle ones, the mean.
-pub(crate) fn median(numbers: Vec<f64>) -> f64 {
+fn median(numbers: Vec<f64>) -> f64 {
     quantile(numbers, 0.5)
 }
 

@@ -1,7 +1,7 @@
 //! What takes part in the race.
 
+use crate::meshes::Scene;
 use raybook::math::{interval::Interval, ray::Ray};
-use raybook::shape::mesh::Mesh;
 
 /// A ray, and the stretch of it that counts.
 pub(crate) type Question = (Ray, Interval);
@@ -79,10 +79,10 @@ impl Query {
     }
 }
 
-/// Builds over a mesh, with a number of threads; or says why not.
-pub(crate) type Build = fn(&Mesh, usize) -> Result<Box<dyn Racer>, String>;
+/// Builds over a scene, with a number of threads; or says why not.
+pub(crate) type Build = fn(&Scene, usize) -> Result<Box<dyn Racer>, String>;
 
-/// One that takes part: how it is called, and how it is built over a mesh.
+/// One that takes part: how it is called, and how it is built over a scene.
 pub(crate) struct Entry {
     /// The name in tables.
     pub name: &'static str,
@@ -92,6 +92,6 @@ pub(crate) struct Entry {
     pub build: Build,
     /// More triangles than this, and it takes no part.
     pub at_most: usize,
-    /// Whether it is to be had on this machine.
-    pub is_here: fn() -> bool,
+    /// Whether it can take part: on this machine, in this scene.
+    pub takes_part: fn(&Scene) -> bool,
 }

@@ -1,8 +1,9 @@
-//! What came of the race: a table, and two files for other programs.
+//! What came of the race: a table, and files for other programs.
 
 use crate::construction::Built;
-use crate::race::Lap;
+use crate::race::{Lap, Ratios};
 use crate::racer::{Entry, Query};
+use crate::racers::INSTANCES;
 use std::fmt::Write;
 use std::io;
 use std::path::Path;
@@ -67,7 +68,7 @@ pub(crate) const COLUMNS: [&str; 7] = [
 
 /// The table of one mesh.
 pub(crate) fn table(rows: &[Row]) -> String {
-    let mut text = format!("{:13}", "");
+    let mut text = format!("{:18}", "");
     for column in COLUMNS {
         let _ = write!(text, "{:>10}", column.replace(", many", "+"));
     }
@@ -78,13 +79,13 @@ pub(crate) fn table(rows: &[Row]) -> String {
     );
     for name in structures(rows) {
         let own: Vec<_> = rows.iter().filter(|row| row.structure == name).collect();
-        let _ = write!(text, "{name:13}");
+        let _ = write!(text, "{name:18}");
         for column in COLUMNS {
             let cell = own.iter().find(|row| row.column() == column).map(|row| {
                 if name == "Embree" {
                     format!("{:.1} M/s", row.lap.speed / 1e6)
                 } else {
-                    format!("{:.3}", row.lap.ratio)
+                    format!("{:.3}", row.lap.ratios.median())
                 }
             });
             let _ = write!(text, "{:>10}", cell.unwrap_or_default());
@@ -94,14 +95,34 @@ pub(crate) fn table(rows: &[Row]) -> String {
         let _ = writeln!(
             text,
             "{:>7.2}{:>9.3}%{:>8.3}s{:>8.3}s{:>7.0}",
-            geometric_mean(single.map(|row| row.lap.ratio)),
+            geometric_mean(single.map(|row| row.lap.ratios.median())),
             100.0 * least,
             own[0].build[0],
             own[0].build[1],
             own[0].bytes_per_triangle,
         );
     }
+    for (row, ratios) in two_levels(rows) {
+        let (name, set, [low, high]) = (row.structure, row.set, ratios.spread());
+        let ratio = ratios.median();
+        let _ = writeln!(
+            text,
+            "{name:18}{set:>10}: {ratio:.2} [{low:.2}–{high:.2}] of all triangles in one level"
+        );
+    }
     text
+}
+
+/// What two levels cost: of each structure over instances a line, the ratios of its speed to that of the same over all triangles.
+fn two_levels(rows: &[Row]) -> impl Iterator<Item = (&Row, Ratios)> {
+    rows.iter().filter_map(|row| {
+        let [_, flat] = INSTANCES.iter().find(|[name, _]| *name == row.structure)?;
+        let flat = |other: &&Row| {
+            (other.structure, other.mesh, other.column()) == (flat, row.mesh, row.column())
+        };
+        let flat = rows.iter().find(flat)?;
+        Some((row, row.lap.ratios.to(&flat.lap.ratios)))
+    })
 }
 
 /// The structures, each once, in the order in which they come.
@@ -121,7 +142,8 @@ pub(crate) fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
     (logarithms.iter().sum::<f64>() / logarithms.len() as f64).exp()
 }
 
-/// `ratios.csv`, where `build_s` is with one thread; `builds.csv` with both; and `how.txt`.
+/// `ratios.csv`, where `build_s` is with one thread; `builds.csv` with both; `instances.csv`, the ratios of two levels to one;
+/// and `how.txt`.
 ///
 /// # Errors
 /// If a file cannot be written.
@@ -144,7 +166,8 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             ..
         } = row;
         let query = lap.query.name();
-        let (ratio, [low, high], agree, [alone, _]) = (lap.ratio, lap.spread, lap.agree, build);
+        let (ratio, [low, high], agree, [alone, _]) =
+            (lap.ratios.median(), lap.ratios.spread(), lap.agree, build);
         let _ = writeln!(
             ratios,
             "{mesh},{set},{query},{structure},{ratio:.4},{low:.4},{high:.4},{agree:.6},{alone:.4},{bytes:.1}"
@@ -156,7 +179,22 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             }
         }
     }
+    let mut instances = String::from("mesh,set,structure,ratio,ratio_10,ratio_90\n");
+    for (row, ratios) in two_levels(rows) {
+        let Row {
+            mesh,
+            set,
+            structure,
+            ..
+        } = row;
+        let (ratio, [low, high]) = (ratios.median(), ratios.spread());
+        let _ = writeln!(
+            instances,
+            "{mesh},{set},{structure},{ratio:.4},{low:.4},{high:.4}"
+        );
+    }
     std::fs::write(folder.join("ratios.csv"), ratios)?;
+    std::fs::write(folder.join("instances.csv"), instances)?;
     std::fs::write(folder.join("builds.csv"), builds.join("\n") + "\n")?;
     std::fs::write(folder.join("how.txt"), how.join("\n") + "\n")
 }

@@ -1,16 +1,18 @@
 //! Embree 3, as its users call it: high build quality, default flags, one ray at a time.
 
+use crate::forest::Place;
+use crate::meshes;
 use crate::racer::{MISS, Question, Racer, Search};
 use embree3::{
     BufferUsage, BuildQuality, Config, Device, Error, Format, GeometryKind, IntersectContext, Ray,
     RayHit, Scene, SceneFlags,
 };
-use glam::{Vec2, Vec3};
+use glam::{Mat4, Quat, Vec2, Vec3};
 use raybook::shape::{Hit, mesh::Mesh};
 use std::sync::Arc;
 use std::sync::atomic::{AtomicIsize, Ordering};
 
-/// A scene of one mesh.
+/// A scene of one mesh, or of instances of one.
 pub(crate) struct Embree {
     scene: Scene<'static>,
     /// What Embree has allocated since before the scene was made; the memory of the mesh's buffers counts too.
@@ -21,28 +23,92 @@ pub(crate) struct Embree {
 ///
 /// # Errors
 /// If Embree fails.
-pub(crate) fn build(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
-    Ok(Box::new(Embree::new(mesh, threads)?))
+pub(crate) fn build(scene: &meshes::Scene, threads: usize) -> Result<Box<dyn Racer>, String> {
+    Ok(Box::new(Embree::new(&scene.mesh, threads)?))
 }
 
 /// Builds it in its robust mode, whose triangle test is watertight.
 ///
 /// # Errors
 /// If Embree fails.
-pub(crate) fn build_robust(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
-    Ok(Box::new(Embree::with(mesh, threads, SceneFlags::ROBUST)?))
+pub(crate) fn build_robust(
+    scene: &meshes::Scene,
+    threads: usize,
+) -> Result<Box<dyn Racer>, String> {
+    let of_mesh = |device: &Device| of_mesh(device, &scene.mesh, SceneFlags::ROBUST);
+    Ok(Box::new(Embree::with(threads, of_mesh)?))
+}
+
+/// Builds it of instances: a scene of the tree, and a scene of its places.
+///
+/// # Errors
+/// If Embree fails, or the scene is no forest.
+pub(crate) fn build_instances(
+    scene: &meshes::Scene,
+    threads: usize,
+) -> Result<Box<dyn Racer>, String> {
+    let forest = scene.forest.as_ref().ok_or("this scene has no instances")?;
+    Ok(Box::new(Embree::with(threads, |device| {
+        let tree = of_mesh(device, &forest.tree, SceneFlags::NONE)?;
+        let mut all = empty(device, SceneFlags::NONE)?;
+        for place in &forest.places {
+            let Place {
+                scale,
+                rotation,
+                translation,
+            } = *place;
+            let rotation = Quat::from_mat3(&rotation);
+            let place =
+                Mat4::from_scale_rotation_translation(Vec3::splat(scale), rotation, translation);
+            let mut instance = device.create_geometry(GeometryKind::INSTANCE)?;
+            instance.set_instanced_scene(&tree);
+            instance.set_transform(0, &place.to_cols_array());
+            all.attach_geometry(&instance.commit());
+        }
+        all.commit();
+        Ok(all)
+    })?))
+}
+
+/// A scene of high build quality (Embree's own default is medium), with nothing in it.
+fn empty(device: &Device, flags: SceneFlags) -> Result<Scene<'static>, Error> {
+    let mut scene = device.create_scene()?;
+    scene.set_build_quality(BuildQuality::HIGH);
+    scene.set_flags(flags);
+    Ok(scene)
+}
+
+/// A scene of a mesh.
+fn of_mesh(device: &Device, mesh: &Mesh, flags: SceneFlags) -> Result<Scene<'static>, Error> {
+    let mut scene = empty(device, flags)?;
+    let mut geometry = device.create_geometry(GeometryKind::TRIANGLE)?;
+    let positions: Vec<_> = mesh.positions().iter().map(Vec3::to_array).collect();
+    geometry
+        .set_new_buffer::<[f32; 3]>(BufferUsage::VERTEX, 0, Format::FLOAT3, 12, positions.len())?
+        .copy_from_slice(&positions);
+    let triangles = mesh.triangles();
+    geometry
+        .set_new_buffer::<[u32; 3]>(BufferUsage::INDEX, 0, Format::UINT3, 12, triangles.len())?
+        .copy_from_slice(triangles);
+    scene.attach_geometry(&geometry.commit());
+    scene.commit();
+    Ok(scene)
 }
 
 impl Embree {
-    /// A scene of high build quality (Embree's own default is medium), made by this number of threads.
+    /// A scene of a mesh, made by this number of threads.
     ///
     /// # Errors
     /// If Embree fails.
     pub(crate) fn new(mesh: &Mesh, threads: usize) -> Result<Self, String> {
-        Self::with(mesh, threads, SceneFlags::NONE)
+        Self::with(threads, |device| of_mesh(device, mesh, SceneFlags::NONE))
     }
 
-    fn with(mesh: &Mesh, threads: usize, flags: SceneFlags) -> Result<Self, String> {
+    /// A scene that `make` makes with a device of this number of threads.
+    fn with(
+        threads: usize,
+        make: impl FnOnce(&Device) -> Result<Scene<'static>, Error>,
+    ) -> Result<Self, String> {
         let told = |error: Error| format!("Embree: {error}");
         let config = Config {
             threads: threads as u32,
@@ -55,24 +121,7 @@ impl Embree {
             sum.fetch_add(bytes, Ordering::Relaxed);
             true
         });
-        let mut scene = device.create_scene().map_err(told)?;
-        scene.set_build_quality(BuildQuality::HIGH);
-        scene.set_flags(flags);
-        let mut geometry = device
-            .create_geometry(GeometryKind::TRIANGLE)
-            .map_err(told)?;
-        let positions: Vec<_> = mesh.positions().iter().map(Vec3::to_array).collect();
-        geometry
-            .set_new_buffer::<[f32; 3]>(BufferUsage::VERTEX, 0, Format::FLOAT3, 12, positions.len())
-            .map_err(told)?
-            .copy_from_slice(&positions);
-        let triangles = mesh.triangles();
-        geometry
-            .set_new_buffer::<[u32; 3]>(BufferUsage::INDEX, 0, Format::UINT3, 12, triangles.len())
-            .map_err(told)?
-            .copy_from_slice(triangles);
-        scene.attach_geometry(&geometry.commit());
-        scene.commit();
+        let scene = make(&device).map_err(told)?;
         match device.get_error() {
             Error::NONE => Ok(Self {
                 scene,

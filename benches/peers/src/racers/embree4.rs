@@ -4,6 +4,7 @@
     reason = "functions of a C library that is loaded while the program runs"
 )]
 
+use crate::meshes::Scene;
 use crate::racer::{MISS, Question, Racer, Search};
 use libloading::Library;
 use raybook::shape::mesh::Mesh;
@@ -97,17 +98,17 @@ unsafe impl Send for Embree4 {}
 ///
 /// # Errors
 /// If the library cannot be loaded, or Embree fails.
-pub(crate) fn build(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
-    Ok(Box::new(Embree4::new(mesh, threads, 0)?))
+pub(crate) fn build(scene: &Scene, threads: usize) -> Result<Box<dyn Racer>, String> {
+    Ok(Box::new(Embree4::new(&scene.mesh, threads, 0)?))
 }
 
 /// Builds it in its robust mode, whose triangle test is watertight.
 ///
 /// # Errors
 /// As [`build`].
-pub(crate) fn build_robust(mesh: &Mesh, threads: usize) -> Result<Box<dyn Racer>, String> {
+pub(crate) fn build_robust(scene: &Scene, threads: usize) -> Result<Box<dyn Racer>, String> {
     const ROBUST: c_int = 1 << 2;
-    Ok(Box::new(Embree4::new(mesh, threads, ROBUST)?))
+    Ok(Box::new(Embree4::new(&scene.mesh, threads, ROBUST)?))
 }
 
 impl Embree4 {

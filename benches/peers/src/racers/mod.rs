@@ -14,44 +14,64 @@ use raybook::accel::{
     wide_bvh::WideBvh,
 };
 
+/// Structures in two levels, over instances of one mesh; and beside each, the same in one level, over all triangles.
+pub(crate) const INSTANCES: [[&str; 2]; 2] = [
+    ["Embree instances", "Embree"],
+    ["WideBvh instances", "WideBvh"],
+];
+
 /// All that take part; the first is what the others are compared with.
 pub(crate) const ENTRIES: &[Entry] = &[
     entry("Embree", false, embree::build),
     entry("Embree robust", false, embree::build_robust),
     Entry {
-        is_here: embree4::is_here,
+        takes_part: |_| embree4::is_here(),
         ..entry("Embree 4", false, embree4::build)
     },
     Entry {
-        is_here: embree4::is_here,
+        takes_part: |_| embree4::is_here(),
         ..entry("Embree 4 robust", false, embree4::build_robust)
     },
     Entry {
         at_most: 10_000,
-        ..entry("List", true, |mesh, _| {
-            boxed(Ours(List::new(mesh.facets())))
+        ..entry("List", true, |scene, _| {
+            boxed(Ours(List::new(scene.mesh.facets())))
         })
     },
-    entry("Grid", true, |mesh, _| {
-        boxed(Ours(Grid::of_facets(mesh.facets())))
+    entry("Grid", true, |scene, _| {
+        boxed(Ours(Grid::of_facets(scene.mesh.facets())))
     }),
-    entry("TwoLevelGrid", true, |mesh, _| {
-        boxed(Ours(TwoLevelGrid::of_facets(mesh.facets())))
+    entry("TwoLevelGrid", true, |scene, _| {
+        boxed(Ours(TwoLevelGrid::of_facets(scene.mesh.facets())))
     }),
-    entry("Octree", true, |mesh, _| {
-        boxed(Ours(Octree::of_facets(mesh.facets())))
+    entry("Octree", true, |scene, _| {
+        boxed(Ours(Octree::of_facets(scene.mesh.facets())))
     }),
-    entry("Bvh", true, |mesh, _| boxed(Ours(Bvh::new(mesh.facets())))),
-    entry("WideBvh", true, |mesh, _| {
-        boxed(Wide(WideBvh::new(mesh.facets())))
+    entry("Bvh", true, |scene, _| {
+        boxed(Ours(Bvh::new(scene.mesh.facets())))
     }),
-    entry("obvhs BVH2", false, |mesh, _| boxed(obvhs::Bvh2::new(mesh))),
-    entry("obvhs CwBvh", false, |mesh, _| {
-        boxed(obvhs::Wide::new(mesh))
+    entry("WideBvh", true, |scene, _| {
+        boxed(Wide(WideBvh::new(scene.mesh.facets())))
     }),
-    entry("bvh", false, |mesh, _| boxed(bvh_crate::Bvh::new(mesh))),
-    entry("parry3d", false, |mesh, _| {
-        boxed(parry::Trimesh::new(mesh)?)
+    Entry {
+        takes_part: |scene| scene.forest.is_some(),
+        ..entry(INSTANCES[0][0], false, embree::build_instances)
+    },
+    Entry {
+        takes_part: |scene| scene.forest.is_some(),
+        ..entry(INSTANCES[1][0], true, ours::build_instances)
+    },
+    entry("obvhs BVH2", false, |scene, _| {
+        boxed(obvhs::Bvh2::new(&scene.mesh))
+    }),
+    entry("obvhs CwBvh", false, |scene, _| {
+        boxed(obvhs::Wide::new(&scene.mesh))
+    }),
+    entry("bvh", false, |scene, _| {
+        boxed(bvh_crate::Bvh::new(&scene.mesh))
+    }),
+    entry("parry3d", false, |scene, _| {
+        boxed(parry::Trimesh::new(&scene.mesh)?)
     }),
 ];
 
@@ -61,7 +81,7 @@ const fn entry(name: &'static str, ours: bool, build: Build) -> Entry {
         ours,
         build,
         at_most: usize::MAX,
-        is_here: || true,
+        takes_part: |_| true,
     }
 }
 

@@ -1,9 +1,15 @@
 //! raybook's own accelerators.
 
-use crate::racer::{MISS, Question, Search};
-use raybook::accel::{Accel, wide_bvh::WideBvh};
+use crate::meshes::Scene;
+use crate::racer::{MISS, Question, Racer, Search};
+use raybook::accel::{
+    Accel, Meshed,
+    bvh::{Bvh, build::Method},
+    wide_bvh::WideBvh,
+};
 use raybook::math::ray::Ray;
-use raybook::shape::mesh::Facet;
+use raybook::shape::{Shape, instance::Instance, mesh::Facet};
+use std::sync::Arc;
 
 /// An accelerator over facets.
 pub(crate) struct Ours<A>(pub A);
@@ -39,5 +45,30 @@ impl Search for Wide {
         let hits = self.0.closest_many(&rays, *within);
         answers.extend(hits.iter().map(|hit| hit.map_or(MISS, |(_, hit)| hit.t)));
         true
+    }
+}
+
+/// A tree of two children over instances, each of the same wide tree.
+struct Instances(Bvh<Instance>);
+
+/// Builds it.
+///
+/// # Errors
+/// If the scene is no forest.
+pub(crate) fn build_instances(scene: &Scene, _threads: usize) -> Result<Box<dyn Racer>, String> {
+    let forest = scene.forest.as_ref().ok_or("this scene has no instances")?;
+    let tree: Arc<dyn Shape> = Arc::new(Meshed::new(forest.tree.clone(), WideBvh::new));
+    // A leaf holds one instance: to search it is dearer than any number of boxes.
+    let top = Bvh::with_leaves(forest.instances(&tree), Method::Fine, 1);
+    Ok(Box::new(Instances(top)))
+}
+
+impl Search for Instances {
+    fn closest(&self, (ray, within): &Question) -> f32 {
+        self.0.closest(ray, *within).map_or(MISS, |(_, hit)| hit.t)
+    }
+
+    fn any(&self, (ray, within): &Question) -> bool {
+        self.0.any(ray, *within)
     }
 }

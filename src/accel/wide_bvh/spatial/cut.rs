@@ -2,8 +2,9 @@
 
 use super::part::parts;
 use crate::accel::bvh::build::cost::Cost;
-use crate::accel::bvh::build::item::{Bounds, Extent, Item};
+use crate::accel::bvh::build::item::{Bounds, Item};
 use crate::shape::mesh::Facet;
+use glam::Vec3A;
 
 /// Slices of the same thickness, between which planes are tried.
 const SLICES: usize = 16;
@@ -29,30 +30,106 @@ struct Slice {
     end: usize,
 }
 
+/// Planes that are equally far from each other, with slices between them; the first and the last plane enclose all.
+struct Planes {
+    axis: usize,
+    min: f32,
+    apart: f32,
+}
+
+impl Planes {
+    fn new(axis: usize, all: &Bounds) -> Self {
+        let (min, max) = (all.min[axis], all.max[axis]);
+        let apart = (max - min) / SLICES as f32;
+        Self { axis, min, apart }
+    }
+
+    /// Where a plane is along the axis.
+    fn at(&self, i: usize) -> f32 {
+        self.min + i as f32 * self.apart
+    }
+
+    /// The slice in which a place along the axis is.
+    fn slice_of(&self, at: f32) -> usize {
+        (((at - self.min) / self.apart) as usize).min(SLICES - 1)
+    }
+
+    /// Adds an item to the slices in which it is: to each the box around the part of the triangle there.
+    ///
+    /// The part between two planes has its corners where the planes cut the edges, and where a corner of the triangle lies between
+    /// them. So each edge is followed from plane to plane once. These boxes are for prices, and may be rounded; those of the
+    /// tree are made by [`parts`].
+    fn add(&self, item: &Item, facet: &Facet, slices: &mut [Slice; SLICES]) {
+        let ends = [item.bounds.min, item.bounds.max].map(|end| along(end, self.axis));
+        let [first, last] = ends.map(|end| self.slice_of(end));
+        slices[first].begin += 1;
+        slices[last].end += 1;
+        if first == last {
+            slices[first].bounds = slices[first].bounds.union(&item.bounds);
+            return;
+        }
+        // What is below the first slice, the slices, and what is above the last.
+        let mut inside = [Bounds::EMPTY; SLICES + 2];
+        let mut add = |i: usize, p: Vec3A| {
+            inside[i] = inside[i].union(&Bounds { min: p, max: p });
+        };
+        let corners = facet.corners.map(Vec3A::from);
+        let places = corners.map(|p| along(p, self.axis));
+        let lies_in = places.map(|at| {
+            let i = ((at - self.min) / self.apart + 1.0) as usize; // 0 is below all slices
+            i.clamp(first, last + 2) - first
+        });
+        for (i, p) in lies_in.into_iter().zip(corners) {
+            add(i, p);
+        }
+        for (p, q) in [(0, 1), (1, 2), (2, 0)] {
+            let (p, q) = if lies_in[p] < lies_in[q] {
+                (p, q)
+            } else {
+                (q, p)
+            };
+            let per_metre = (corners[q] - corners[p]) / (places[q] - places[p]);
+            for i in lies_in[p]..lies_in[q] {
+                let met = corners[p] + (self.at(first + i) - places[p]) * per_metre;
+                add(i, met);
+                add(i + 1, met);
+            }
+        }
+        for (slice, part) in slices[first..=last].iter_mut().zip(&inside[1..]) {
+            slice.bounds = slice.bounds.union(&part.intersection(&item.bounds));
+        }
+    }
+}
+
+/// A coordinate of a vector: as an array, because glam's own `[axis]` compares `axis` with each axis.
+fn along(p: Vec3A, axis: usize) -> f32 {
+    p.to_array()[axis]
+}
+
 impl Cut {
-    /// The cheapest cut of all along the three axes; none where the box of all is flat.
+    /// The cheapest cut of all, across axes along which the box of all is at least half as long as along its longest; none
+    /// where that box is flat. Cuts across the other axes are seldom cheaper.
     pub(super) fn best(
         items: &[Item],
-        extent: &Extent,
+        all: &Bounds,
         facets: &[Facet],
         cost: &Cost,
     ) -> Option<Self> {
-        let cuts = (0..3).filter_map(|axis| Self::along(axis, items, &extent.bounds, facets, cost));
+        let size = all.max - all.min;
+        let axes = (0..3).filter(|&axis| along(size, axis) >= 0.5 * size.max_element());
+        let cuts = axes.filter_map(|axis| Self::across(axis, items, all, facets, cost));
         cuts.min_by(|a, b| a.price.total_cmp(&b.price))
     }
 
-    /// The cheapest cut along an axis.
-    fn along(
+    /// The cheapest cut across an axis.
+    fn across(
         axis: usize,
         items: &[Item],
         all: &Bounds,
         facets: &[Facet],
         cost: &Cost,
     ) -> Option<Self> {
-        let (min, max) = (all.min[axis], all.max[axis]);
-        let thickness = (max - min) / SLICES as f32;
-        let plane = |i: usize| min + i as f32 * thickness;
-        let slice_of = |at: f32| (((at - min) / thickness) as usize).min(SLICES - 1);
+        let planes = Planes::new(axis, all);
         let empty = Slice {
             bounds: Bounds::EMPTY,
             begin: 0,
@@ -60,20 +137,7 @@ impl Cut {
         };
         let mut slices = [empty; SLICES];
         for item in items {
-            let (first, last) = (
-                slice_of(item.bounds.min[axis]),
-                slice_of(item.bounds.max[axis]),
-            );
-            slices[first].begin += 1;
-            slices[last].end += 1;
-            let mut rest = *item;
-            for (slice, i) in slices[first..last].iter_mut().zip(first + 1..) {
-                let facet = &facets[item.index as usize];
-                let [below, above] = parts(&rest, facet, axis, plane(i));
-                slice.bounds = slice.bounds.union(&below);
-                rest.bounds = above;
-            }
-            slices[last].bounds = slices[last].bounds.union(&rest.bounds);
+            planes.add(item, &facets[item.index as usize], &mut slices);
         }
         let mut above = [(Bounds::EMPTY, 0); SLICES];
         for i in (1..SLICES).rev() {
@@ -88,13 +152,13 @@ impl Cut {
             let price = |side: usize| bounds[side].half_area() * cost.shapes(counts[side]);
             Self {
                 axis,
-                at: plane(i),
+                at: planes.at(i),
                 bounds,
                 counts,
                 price: price(0) + price(1),
             }
         });
-        let cuts = cuts.filter(|cut| min < cut.at && cut.at < max);
+        let cuts = cuts.filter(|cut| planes.min < cut.at && cut.at < all.max[axis]);
         cuts.min_by(|a, b| a.price.total_cmp(&b.price))
     }
 

@@ -7,16 +7,16 @@ use crate::accel::bvh::build::cost::Cost;
 use crate::accel::bvh::build::fine;
 use crate::accel::bvh::build::flat::Flat;
 use crate::accel::bvh::build::halves::halve;
-use crate::accel::bvh::build::item::{Extent, Item};
+use crate::accel::bvh::build::item::{Bounds, Extent, Item};
 use crate::accel::bvh::build::tree::{Inside, MAX_DEPTH, Tree, halvings};
 use crate::shape::{Shape, mesh::Facet};
 use crate::threads;
 use cut::Cut;
 use glam::Vec3;
 
-/// Cuts are tried where the boxes of two halves share more than this part of the root's surface area: elsewhere they gain
-/// next to nothing, and would take most of the time.
-const OVERLAP: f32 = 1e-4;
+/// Cuts are tried where the boxes of two halves share more than this part of the surface area of the box around both: elsewhere
+/// they gain next to nothing, and take time.
+const OVERLAP: f32 = 0.1;
 
 /// Below this number of items, another thread does not pay.
 const ALONE: usize = 1 << 12;
@@ -49,11 +49,7 @@ pub(super) fn pays(facets: &[Facet]) -> bool {
 /// triangle's part in a box. The leaves hold whole triangles, so it is of no importance by which of the parts one is found.
 pub(super) fn build(facets: &[Facet], cost: &Cost, spare: usize) -> Flat {
     let items = threads::list(facets.len(), |i| Item::new((i, &facets[i].bounds())));
-    let builder = Builder {
-        facets,
-        cost,
-        overlap: OVERLAP * Extent::of(&items).bounds.half_area(),
-    };
+    let builder = Builder { facets, cost };
     let mut order = Vec::with_capacity(items.len());
     let tree = builder.subtree(items, spare, MAX_DEPTH, &mut order);
     Flat::new(&tree, order)
@@ -63,8 +59,6 @@ pub(super) fn build(facets: &[Facet], cost: &Cost, spare: usize) -> Flat {
 struct Builder<'a> {
     facets: &'a [Facet],
     cost: &'a Cost,
-    /// The half surface area that the boxes of two halves may share.
-    overlap: f32,
 }
 
 impl Builder<'_> {
@@ -116,8 +110,8 @@ impl Builder<'_> {
         let (mut at, price) = fine::best(&mut items, extent, self.cost);
         // Each side may then be as large as all.
         let room = spare > 0 && halvings(n) < levels;
-        if room && shared_area(&items, at) > self.overlap {
-            let cut = Cut::best(&items, extent, self.facets, self.cost);
+        if room && shared_area(&items, at) > OVERLAP * extent.bounds.half_area() {
+            let cut = Cut::best(&items, &extent.bounds, self.facets, self.cost);
             let better = |cut: &Cut| cut.price < price && (!may_stay || cut.price < stay);
             if let Some(sides) = cut
                 .filter(better)
@@ -141,6 +135,9 @@ impl Builder<'_> {
 /// Half the surface area of what the boxes of two sides share.
 fn shared_area(items: &[Item], at: usize) -> f32 {
     let (left, right) = items.split_at(at);
-    let [left, right] = [left, right].map(|side| Extent::of(side).bounds);
+    let [left, right] = [left, right].map(|side| {
+        let boxes = side.iter().map(|item| item.bounds);
+        boxes.fold(Bounds::EMPTY, |all, bounds| all.union(&bounds))
+    });
     left.intersection(&right).half_area()
 }

@@ -99,7 +99,7 @@ impl Plot for PointSets<'_> {
                 (left + on_canvas.x as i32, top + on_canvas.y as i32)
             };
             let heading = (left + SIDE / 2, top - TITLE / 2);
-            write(canvas, &subject.title, heading, text(44).pos(CENTRE))?;
+            write(canvas, &subject.title, heading, text(48).pos(CENTRE))?;
             for (from, to, colour) in strata(&subject.pattern, self.n) {
                 let line = vec![place(from), place(to)];
                 canvas.draw(&PathElement::new(line, colour.stroke_width(2)))?;

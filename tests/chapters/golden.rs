@@ -11,8 +11,7 @@ use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Stage, progress_bar};
 use raybook_chapters::lesson::Lesson;
 use raybook_chapters::{LESSONS, MEASURED};
-use raybook_common::project;
-use rayon::prelude::*;
+use raybook_common::{check_all, project};
 use std::fs;
 use std::path::Path;
 
@@ -30,7 +29,7 @@ const LETTER: f64 = 12.0;
 
 #[test]
 fn every_chapter_draws_its_golden_picture_on_one_thread_and_on_two() {
-    LESSONS.par_iter().for_each(draws_its_golden_picture);
+    check_all(LESSONS, draws_its_golden_picture);
 }
 
 /// A sample that is drawn in seconds, also unoptimised: a light, a mesh in a hierarchy, paths, a lens.
@@ -46,7 +45,7 @@ fn a_sample_of_chapters_draws_its_golden_pictures() {
         sample.len(),
         "the sample's chapters are there"
     );
-    lessons.into_par_iter().for_each(draws_its_golden_picture);
+    check_all(lessons, draws_its_golden_picture);
 }
 
 fn draws_its_golden_picture(lesson: &Lesson) {

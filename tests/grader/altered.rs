@@ -4,6 +4,7 @@
 mod exceptions;
 
 use exceptions::EXCEPTIONS;
+use raybook_common::check_all;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::judge::DEGREES;
@@ -242,7 +243,7 @@ fn add_places(kind: &Kind, numbers: &mut Numbers<'_>, places: &mut Vec<Place>) {
 
 #[test]
 fn answers_that_were_not_made_from_their_questions_are_wrong() {
-    cases::all().into_par_iter().for_each(|examiner| {
+    check_all(cases::all(), |examiner| {
         let name = examiner.name();
         let cases = examiner.cases(&mut visible_rng(name)).cases;
         let words = |line: &str| {

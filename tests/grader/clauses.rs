@@ -1,4 +1,5 @@
 //! Every sentence of an exercise's task has a case that fails without it: `clauses.txt` names, sentence by sentence, wrong answers that break it.
+//! A task of one sentence need not be there.
 //!
 //! Most are mistakes of the exercise, of which `proof.rs` shows that the cases see them. Others are bent here in one clause only.
 
@@ -79,13 +80,15 @@ fn sentences(text: &str) -> Vec<String> {
 #[test]
 fn every_sentence_of_every_task_is_listed() {
     let tasks = tasks();
-    let all = cases::all();
-    let names: Vec<_> = all.iter().map(|examiner| examiner.name()).collect();
-    let listed: Vec<_> = tasks.iter().map(|task| task.exercise.as_str()).collect();
-    assert_eq!(listed, names);
-    for (examiner, task) in all.iter().zip(&tasks) {
+    for examiner in cases::all() {
+        let (name, sentences) = (examiner.name(), sentences(examiner.task()));
+        let Some(task) = tasks.iter().find(|task| task.exercise == name) else {
+            let count = sentences.len();
+            assert_eq!(count, 1, "tests/grader/clauses.txt needs `## {name}`");
+            continue; // every mistake breaks the only sentence
+        };
         let listed: Vec<_> = task.sentences.iter().map(|one| one.text.clone()).collect();
-        assert_eq!(listed, sentences(examiner.task()), "{}", task.exercise);
+        assert_eq!(listed, sentences, "tests/grader/clauses.txt, {name}");
     }
 }
 

@@ -2,6 +2,7 @@
 
 use crate::common::command::raybook;
 use crate::common::executable::script;
+use raybook_common::check_all;
 use raybook_grader::ask::{Reply, Said};
 use raybook_grader::cases;
 use raybook_grader::check::{Report, State, assess};
@@ -12,7 +13,6 @@ use raybook_grader::feedback::{self, Commands};
 use raybook_grader::picture::ask::{pixel_questions, some_questions, triples};
 use raybook_grader::rare::Depth;
 use raybook_workbook::row;
-use rayon::prelude::*;
 use std::fs;
 use std::path::Path;
 
@@ -51,8 +51,8 @@ fn report(
 #[test]
 fn right_cases_and_wrong_pictures_are_wrong_in_every_exercise_with_a_picture() {
     let pictured = pictured();
-    assert_eq!(pictured.len(), 20, "exercises with a picture");
-    pictured.into_par_iter().for_each(|(examiner, cases)| {
+    assert!(pictured.len() >= 20, "exercises with a picture");
+    check_all(pictured, |(examiner, cases)| {
         let name = examiner.name();
         let right = report(examiner, cases.clone(), |question| {
             Some(golden(examiner, question))

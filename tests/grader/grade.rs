@@ -44,10 +44,11 @@ fn every_exercise_has_enough_cases_and_mistakes_with_names() {
 fn nothing_is_lost() {
     let all = cases::all();
     let sum = |count: fn(&dyn Examiner) -> usize| all.iter().map(|e| count(*e)).sum::<usize>();
-    assert_eq!(all.len(), 64, "exercises");
+    assert!(all.len() >= 64, "{} exercises", all.len());
     let named = sum(|e| e.named().expect("they can be read").len());
-    assert_eq!(named, 742, "named cases");
-    assert_eq!(sum(|e| e.mistakes().len()), 1254, "mistakes");
+    assert!(named >= 742, "{named} named cases");
+    let mistakes = sum(|e| e.mistakes().len());
+    assert!(mistakes >= 1254, "{mistakes} mistakes");
     let names = |chapters: &[curriculum::Chapter]| -> Vec<_> {
         let asked = chapters.iter().flat_map(curriculum::Chapter::exercises);
         asked.map(|asked| asked.name).collect()

@@ -35,8 +35,8 @@ fn every_topic_of_the_lecture_has_a_lesson_and_a_figure_or_an_exercise() {
     for chapter in CHAPTERS {
         assert!(
             text.contains(&format!("]({}.md", chapter.name)),
-            "the lecture's page names {}",
-            chapter.title
+            "book/src/lecture.md needs a row that leads to {}.md",
+            chapter.name
         );
     }
 }

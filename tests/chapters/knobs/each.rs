@@ -5,7 +5,7 @@ use raybook::image::{Image, file, rgb::Rgb};
 use raybook_chapters::LESSONS;
 use raybook_chapters::kit::knobs::{self, Kind, Knob};
 use raybook_chapters::lesson::{Lesson, find};
-use rayon::prelude::*;
+use raybook_common::check_all;
 use std::collections::BTreeMap;
 use std::fs;
 use std::path::{Path, PathBuf};
@@ -55,7 +55,7 @@ fn every_knob_changes_a_picture() {
     let map = files.path().join("red.hdr");
     file::save(&map, &Image::from_fn(8, 4, |_, _| Rgb::new(1.0, 0.1, 0.1)))
         .expect("it can be written");
-    LESSONS.par_iter().for_each(|lesson| {
+    check_all(LESSONS, |lesson| {
         let mut usual = BTreeMap::new();
         for knob in knobs::of(&lesson.knobs()) {
             let picture = &knob.picture;
@@ -106,7 +106,7 @@ fn every_structure_draws_the_same_mesh_at_its_own_cost() {
         ["picture", "heat"].map(|picture| draw(chapter, &arguments, picture).0)
     });
     let drawn: Vec<_> = drawn.collect();
-    assert_eq!(drawn.len(), 6, "{words:?}");
+    assert!(drawn.len() >= 6, "{words:?}");
     for (i, [picture, heat]) in drawn.iter().enumerate() {
         let (one, first) = (&words[i], &words[0]);
         assert!(*picture == drawn[0][0], "{one} sees what {first} sees");

@@ -17,12 +17,29 @@ pub mod whole;
 
 use raybook::math::{interval::Interval, ray::Ray};
 use raybook::shape::Shape;
+use rayon::prelude::*;
 use std::fmt::Write;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::path::PathBuf;
 
 /// A folder or file of the project.
 pub fn project(path: &str) -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
+}
+
+/// Checks all, in parallel, and says what the first failed check says on the thread of the test, whose output is shown: what rayon's
+/// threads say is shown with the test that happened to start them.
+#[track_caller]
+pub fn check_all<T: Send>(
+    all: impl IntoParallelIterator<Item = T>,
+    check: impl Fn(T) + Send + Sync,
+) {
+    let checked = catch_unwind(AssertUnwindSafe(|| all.into_par_iter().for_each(check)));
+    let Err(failure) = checked else { return };
+    match failure.downcast::<String>() {
+        Ok(said) => panic!("{said}"),
+        Err(failure) => resume_unwind(failure),
+    }
 }
 
 /// What to do when [`measured`] is not what is measured today.

@@ -32,9 +32,10 @@ fn checked(
 
 #[test]
 fn all_exercises_are_asked_in_one_process() {
-    let (reports, starts) = checked("while read q; do echo '= 0'; done", &all_exercises());
+    let all = all_exercises();
+    let (reports, starts) = checked("while read q; do echo '= 0'; done", &all);
     assert_eq!(starts, 1, "nothing goes wrong");
-    assert_eq!(reports.len(), 64, "and all are asked");
+    assert_eq!(reports.len(), all.len(), "and all are asked");
     let answered = |said: &Said| *said == answer("0");
     let mut outcomes = reports.iter().flat_map(|report| &report.cases);
     assert!(

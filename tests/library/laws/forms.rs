@@ -187,22 +187,36 @@ pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
     vector().prop_filter_map("no direction", Dir3::new)
 }
 
-/// A form of size 1, at most 10 from the origin; triangles and tetrahedra that are not too thin.
+/// A form of size 1 from where its middle is, four points of [−1, 1]³ around there, and a direction; `None` if it is too thin.
+type Made = fn(Vec3, [Vec3; 4], Dir3) -> Option<Form>;
+
+/// One of each.
+const FORMS: &[Made] = &[
+    |center, [a, ..], _| Some(Form::Sphere(center, 0.1 + a.x.abs())),
+    |center, _, normal| Some(Form::Plane(center, normal)),
+    |center, [a, b, ..], _| {
+        let thick = (b - a).abs().min_element() > 0.05;
+        thick.then_some(Form::Cuboid(center + a, center + b))
+    },
+    |center, [a, b, c, _], _| {
+        let thick = (b - a).cross(c - a).length() > 0.05;
+        thick.then_some(Form::Triangle([a, b, c].map(|p| center + p)))
+    },
+    |center, points, _| is_thick(points).then_some(Form::Mesh(points.map(|p| center + p))),
+    |center, points, _| is_thick(points).then_some(Form::Instance(points.map(|p| center + p))),
+];
+
+/// Whether the tetrahedron is not too thin.
+fn is_thick([a, b, c, d]: [Vec3; 4]) -> bool {
+    (b - a).cross(c - a).dot(d - a).abs() > 0.05
+}
+
+/// A form of size 1, at most 10 from the origin, not too thin.
 pub(crate) fn form() -> impl Strategy<Value = Form> {
-    let parts = (vector(), vector(), vector(), vector(), direction());
-    (0..6, vector(), parts).prop_filter_map("too thin", |(kind, center, (a, b, c, d, normal))| {
-        let center = 10.0 * center;
-        let twice_area = (b - a).cross(c - a);
-        let six_volumes = twice_area.dot(d - a).abs();
-        Some(match kind {
-            0 => Form::Sphere(center, 0.1 + a.x.abs()),
-            1 => Form::Plane(center, normal),
-            2 if (b - a).abs().min_element() > 0.05 => Form::Cuboid(center + a, center + b),
-            3 if twice_area.length() > 0.05 => Form::Triangle([a, b, c].map(|p| center + p)),
-            4 if six_volumes > 0.05 => Form::Mesh([a, b, c, d].map(|p| center + p)),
-            5 if six_volumes > 0.05 => Form::Instance([a, b, c, d].map(|p| center + p)),
-            _ => return None,
-        })
+    let points = [vector(), vector(), vector(), vector()];
+    let parts = (prop::sample::select(FORMS), vector(), points, direction());
+    parts.prop_filter_map("too thin", |(made, center, points, normal)| {
+        made(10.0 * center, points, normal)
     })
 }
 

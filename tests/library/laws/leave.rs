@@ -12,7 +12,7 @@ use raybook::shape::{
 type Make = fn(f32, Vec3, &mut Pcg) -> Box<dyn Shape>;
 
 /// What to leave, and whether to both sides: a ray into a sphere or a box rightly finds the other side of it.
-const SHAPES: [(&str, bool, Make); 6] = [
+const SHAPES: &[(&str, bool, Make)] = &[
     ("triangle", true, |size, at, rng| {
         Box::new(Triangle {
             p0: at,
@@ -121,7 +121,7 @@ fn found_again(make: Make, both_sides: bool, part: f32, cases: usize) -> usize {
 
 #[test]
 fn a_ray_that_leaves_does_not_find_the_surface_again() {
-    for (name, both_sides, make) in SHAPES {
+    for &(name, both_sides, make) in SHAPES {
         let found = found_again(make, both_sides, 1.0, 40_000);
         assert_eq!(
             found, 0,
@@ -133,7 +133,7 @@ fn a_ray_that_leaves_does_not_find_the_surface_again() {
 /// The other half of the claim at [`ROUNDING`](raybook::shape::ROUNDING): a few times as large as it must be, not a hundred times.
 #[test]
 fn with_a_thirty_second_of_the_error_rays_do_find_the_surface_again() {
-    for (name, both_sides, make) in SHAPES {
+    for &(name, both_sides, make) in SHAPES {
         let found = found_again(make, both_sides, 1.0 / 32.0, 40_000);
         // A box's faces are where its corners' coordinates say, to the bit; it needs no margin.
         assert!(
@@ -145,7 +145,7 @@ fn with_a_thirty_second_of_the_error_rays_do_find_the_surface_again() {
 
 #[test]
 fn nor_does_a_ray_that_leaves_to_where_the_point_was_seen_from() {
-    for (name, _, make) in SHAPES {
+    for &(name, _, make) in SHAPES {
         let mut rng = pcg::stream(6, 2);
         let mut found = 0;
         for _ in 0..40_000 {

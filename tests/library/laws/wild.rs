@@ -41,25 +41,24 @@ pub(crate) fn direction() -> impl Strategy<Value = Dir3> {
     vector().prop_filter_map("no direction", Dir3::new)
 }
 
-/// A shape of the given kind out of whatever numbers; `None` where its constructor refuses them.
-fn build(kind: usize, [a, b, c]: [Vec3; 3], normal: Dir3, x: f32) -> Option<Box<dyn Shape>> {
-    Some(match kind {
-        0 => Box::new(Sphere {
-            center: a,
-            radius: x,
-        }),
-        1 => Box::new(Plane::through(a, normal)),
-        2 => Box::new(Plane { normal, offset: x }),
-        3 => Box::new(Cuboid {
-            bounds: Aabb { min: a, max: b },
-        }),
-        4 => Box::new(Triangle::new(a, b, c)),
-        _ => {
-            let mesh = Mesh::new(vec![a, b, c], vec![[0, 1, 2], [2, 1, 1]], None, None);
-            Box::new(Meshed::new(mesh.ok()?, List::new))
-        }
-    })
-}
+/// A shape out of whatever numbers; `None` where its constructor refuses them.
+type Build = fn([Vec3; 3], Dir3, f32) -> Option<Box<dyn Shape>>;
+
+/// One of each.
+const SHAPES: &[Build] = &[
+    |[center, ..], _, radius| Some(Box::new(Sphere { center, radius })),
+    |[a, ..], normal, _| Some(Box::new(Plane::through(a, normal))),
+    |_, normal, offset| Some(Box::new(Plane { normal, offset })),
+    |[min, max, _], _, _| {
+        let bounds = Aabb { min, max };
+        Some(Box::new(Cuboid { bounds }))
+    },
+    |[a, b, c], _, _| Some(Box::new(Triangle::new(a, b, c))),
+    |[a, b, c], _, _| {
+        let mesh = Mesh::new(vec![a, b, c], vec![[0, 1, 2], [2, 1, 1]], None, None);
+        Some(Box::new(Meshed::new(mesh.ok()?, List::new)))
+    },
+];
 
 pub(crate) fn interval() -> impl Strategy<Value = Interval> {
     prop_oneof![
@@ -80,8 +79,8 @@ proptest! {
     }
 
     #[test]
-    fn no_ray_and_no_shape_panics(kind in 0..6_usize, points in [vector(), vector(), vector()], normal in direction(), x in number(), origin in vector(), direction in direction(), within in interval(), out in direction()) {
-        let Some(shape) = build(kind, points, normal, x) else { return Ok(()) };
+    fn no_ray_and_no_shape_panics(build in prop::sample::select(SHAPES), points in [vector(), vector(), vector()], normal in direction(), x in number(), origin in vector(), direction in direction(), within in interval(), out in direction()) {
+        let Some(shape) = build(points, normal, x) else { return Ok(()) };
         let ray = Ray::new(origin, direction);
         let bounds = shape.bounds();
         let _ = (bounds.center(), bounds.size(), bounds.union(&bounds));

@@ -9,7 +9,7 @@ use raybook::shape::{Shape, mesh::Mesh, mesh::MeshError};
 use std::f32::consts::TAU;
 use std::sync::Arc;
 
-/// A tree, and where it stands: so many times, each time turned and of another size.
+/// A tree, and the places where it stands, each time turned and of another size.
 pub(crate) struct Forest {
     /// The tree, whose foot is at the origin.
     pub tree: Mesh,

@@ -51,7 +51,7 @@ fn one_of_several_that_differ_in_one_number_is_named() {
         let count = entries.len() as f64;
         Some([&right[..3], &[count], &entries.concat()].concat())
     });
-    let told = "returns one only of those in the list that differ in shape alone";
+    let told = "returns the first only of those in the list that differ in shape alone";
     assert_eq!(found.name, told);
 }
 
@@ -88,6 +88,82 @@ fn differences_from_the_element_before_are_named() {
         }
     });
     let told = "returns for leave the difference from the element before";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn sums_of_all_elements_are_named() {
+    let found = changed("spend_budget", 1, |_, counts| {
+        for i in 1..counts.len() {
+            counts[i][0] += counts[i - 1][0];
+        }
+    });
+    let told = "returns for count the sum of all elements up to it";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn a_list_without_the_last_shape_is_named() {
+    let found = diagnosed("refine_cell", |q| {
+        let right = right("refine_cell", q);
+        let mut entries = elements(&right[4..], 4);
+        entries.retain(|entry| entry[3] + 1.0 < q[7]);
+        let count = entries.len() as f64;
+        Some([&right[..3], &[count], &entries.concat()].concat())
+    });
+    let told = "leaves out of the list what belongs to the last of all: shape";
+    assert_eq!(found.name, told);
+}
+
+/// The leaves below a node, if of each node's children that the ray passes through only this number count.
+fn leaves(q: &[f64], node: usize, cell: [[f64; 3]; 2], most: usize, found: &mut Vec<f64>) {
+    let [inner, first, count] = [0, 1, 2].map(|k| q[15 + 3 * node + k]);
+    if inner == 0.0 {
+        found.extend((count > 0.0).then_some(node as f64));
+        return;
+    }
+    let child = |i: usize| {
+        let halves = |axis: usize| {
+            let [low, high] = [0, 1].map(|end: usize| cell[end][axis]);
+            let middle = 0.5 * (low + high);
+            if i >> axis & 1 == 1 {
+                [middle, high]
+            } else {
+                [low, middle]
+            }
+        };
+        let [x, y, z] = [0, 1, 2].map(halves);
+        let cell = [0, 1].map(|end: usize| [x[end], y[end], z[end]]);
+        let (mut enter, mut leave) = (q[6], q[7]);
+        for axis in 0..3 {
+            let [one, other] = [0, 1].map(|end: usize| {
+                let ahead = cell[end][axis] - q[axis];
+                if q[3 + axis] == 0.0 {
+                    ahead * f64::INFINITY
+                } else {
+                    ahead / q[3 + axis]
+                }
+            });
+            (enter, leave) = (enter.max(one.min(other)), leave.min(one.max(other)));
+        }
+        (leave - enter > 1e-9).then_some((enter, first as usize + i, cell))
+    };
+    let mut met: Vec<_> = (0..8).filter_map(child).collect();
+    met.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for (_, child, cell) in met.into_iter().take(most) {
+        leaves(q, child, cell, most, found);
+    }
+}
+
+#[test]
+fn rounds_of_the_children_that_are_met_are_named() {
+    let found = diagnosed("octree_walk", |q| {
+        let mut found = Vec::new();
+        let cell = [8, 11].map(|from| [q[from], q[from + 1], q[from + 2]]);
+        leaves(q, 0, cell, 2, &mut found);
+        Some([vec![found.len() as f64], found].concat())
+    });
+    let told = "ends after the second of a node's children that the ray passes through";
     assert_eq!(found.name, told);
 }
 

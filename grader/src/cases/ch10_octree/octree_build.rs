@@ -206,12 +206,19 @@ impl Graded for OctreeBuild {
             } else {
                 one.nodes[i].first = one.names.len() as u32;
                 let count = one.nodes[i].count as usize;
-                let mut names = tree.names[first.min(tree.names.len())..][..count].to_vec();
-                names.sort_unstable();
-                one.names.extend(names);
+                let mut own = tree.names[first.min(tree.names.len())..][..count].to_vec();
+                own.sort_unstable();
+                one.names.extend(own);
             }
             i += 1;
         }
+        // Those that no leaf has are told by it too.
+        let mut begin = 0;
+        for of_leaf in names {
+            one.names.extend(&tree.names[begin..of_leaf.start]);
+            begin = of_leaf.end;
+        }
+        one.names.extend(&tree.names[begin..]);
         one
     }
 

@@ -7,6 +7,7 @@ use crate::explain::way::words;
 use crate::layout::{Layout, Part, Span, layout, parts};
 use raybook_workbook::kind::Kind;
 use std::cmp::Ordering;
+use std::collections::{BTreeSet, HashMap};
 
 /// What may become of a list.
 struct Change {
@@ -67,6 +68,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
         all.extend(lists.cut_short(list));
         all.extend(lists.one_of_each(list));
         all.extend(lists.without_an_end(list));
+        all.extend(lists.without_one_of(list));
         all.extend(lists.wrong_at_an_end(list));
         all.extend(lists.moved_on(list));
     }
@@ -146,25 +148,67 @@ impl<'a, 'e> Lists<'a, 'e> {
         Some(explanation(12, name, hint, answers))
     }
 
-    /// A list in which only one is left of those that have all numbers but the last in common.
-    fn one_of_each(&self, list: usize) -> Option<Explanation> {
-        let parts = self.whole_parts(list)?;
-        let (_, last) = parts.last().filter(|_| parts.len() > 1)?;
-        let answers = self.remade(list, |_, elements| {
-            let of = |k: usize| elements[k].split_last();
-            let is_least = |k: &usize| {
-                let Some((own, key)) = of(*k) else {
-                    return true;
-                };
-                let mut others = (0..elements.len()).filter_map(of);
-                !others.any(|(other, others)| others == key && other < own)
-            };
-            (0..elements.len()).filter(is_least).collect()
-        });
-        let name = format!("returns one only of those in the list that differ in {last} alone");
-        let hint =
-            "May there be several of these? What becomes of the second one in your function?";
-        Some(explanation(12, name, hint, answers))
+    /// Lists in which only one is left of those that have all numbers but the last in common.
+    fn one_of_each(&self, list: usize) -> Vec<Explanation> {
+        let parts = self.whole_parts(list).filter(|parts| parts.len() > 1);
+        let Some((_, last)) = parts.as_ref().and_then(|parts| parts.last()) else {
+            return Vec::new();
+        };
+        let ends: [(&str, fn(f64, f64) -> bool); 2] =
+            [("first", |a, b| a < b), ("last", |a, b| a > b)];
+        let explained = |(end, is_before): (&str, fn(f64, f64) -> bool)| {
+            let answers = self.remade(list, |_, elements| {
+                let mut best: HashMap<Vec<u64>, usize> = HashMap::new();
+                for (k, element) in elements.iter().enumerate() {
+                    let Some((own, key)) = element.split_last() else {
+                        continue;
+                    };
+                    let kept = best.entry(key.iter().map(|v| v.to_bits()).collect());
+                    let kept = kept.or_insert(k);
+                    if is_before(*own, elements[*kept][key.len()]) {
+                        *kept = k;
+                    }
+                }
+                let mut order: Vec<_> = best.into_values().collect();
+                order.sort_unstable();
+                order
+            });
+            let name =
+                format!("returns the {end} only of those in the list that differ in {last} alone");
+            let hint =
+                "May there be several of these? What becomes of the others in your function?";
+            explanation(12, name, hint, answers)
+        };
+        ends.into_iter().map(explained).collect()
+    }
+
+    /// Lists without those that name the first or the last of a list of the question.
+    fn without_one_of(&self, list: usize) -> Vec<Explanation> {
+        let kind = self.evidence.examiner.asked().question;
+        let of = parts(kind, "question").into_iter();
+        let of: BTreeSet<_> = of.filter_map(|part| part.list).collect();
+        let (Some(parts), 1) = (self.whole_parts(list), of.len()) else {
+            return Vec::new();
+        };
+        let count = |item: &Item| {
+            let fields = layout(kind, &item.question);
+            fields.lists.first().map_or(0, |span| span.elements.len())
+        };
+        let counts: Vec<_> = self.evidence.items.iter().map(count).collect();
+        let mut all = Vec::new();
+        for (at, name) in parts {
+            for (end, is_last) in [("first", false), ("last", true)] {
+                let answers = self.remade(list, |i, elements| {
+                    let out = if is_last { counts[i] as f64 - 1.0 } else { 0.0 };
+                    let is_in = |k: &usize| elements[*k][at] != out;
+                    (0..elements.len()).filter(is_in).collect()
+                });
+                let name =
+                    format!("leaves out of the list what belongs to the {end} of all: {name}");
+                all.push(explanation(12, name, LOOP, answers));
+            }
+        }
+        all
     }
 
     /// Lists without those that have the first or the last number along an axis, where the question says how many there are.
@@ -251,23 +295,28 @@ impl<'a, 'e> Lists<'a, 'e> {
     /// Lists with numbers that belong to the element before or after, or are counted from that before, or summed up. What stands at the
     /// end, where there is none before or after, is taken as it came.
     fn moved_on(&self, list: usize) -> Vec<Explanation> {
-        /// What is made of a number and of the same one of the element before.
-        type Of = fn(f64, f64) -> f64;
-        let ways: [(&str, bool, Of); 3] = [
+        /// What is made of a number, of the same one of the element before, and of what was made of that.
+        type Of = fn(f64, f64, f64) -> f64;
+        let ways: [(&str, bool, Of); 4] = [
             (
                 "returns for {} what belongs to the element before",
                 true,
-                |_, before| before,
+                |_, before, _| before,
             ),
             (
                 "returns for {} what belongs to the element after",
                 false,
-                |_, after| after,
+                |_, after, _| after,
             ),
             (
                 "returns for {} the difference from the element before",
                 true,
-                |v, before| v - before,
+                |v, before, _| v - before,
+            ),
+            (
+                "returns for {} the sum of all elements up to it",
+                true,
+                |v, _, sum| v + sum,
             ),
         ];
         let mut all = Vec::new();
@@ -289,7 +338,10 @@ impl<'a, 'e> Lists<'a, 'e> {
                         };
                         for (n, at) in place.clone().enumerate() {
                             made[at] = match other {
-                                Some(other) => make(base[at], base[other.start + n]),
+                                Some(other) => {
+                                    let other = other.start + n;
+                                    make(base[at], base[other], made[other])
+                                }
                                 None if got.len() == base.len() => got[at],
                                 None => base[at],
                             };

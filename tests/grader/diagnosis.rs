@@ -7,6 +7,7 @@ mod flaws;
 mod formulas;
 mod guesses;
 mod habits;
+mod lists;
 mod mistakes;
 mod operations;
 mod own_choices;

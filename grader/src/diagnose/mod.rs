@@ -188,6 +188,13 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
                 cause.also.push(found);
                 Some(cause)
             }
+            None if evidence.is_judged() => {
+                let Some(mut cause) = where_it_is(evidence, &readings) else {
+                    return Some(found);
+                };
+                cause.also.push(found);
+                Some(cause)
+            }
             cause => {
                 found.also.extend(cause);
                 Some(found)
@@ -222,6 +229,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or(seen)
         .or(likely)
         .or(parts)
+        .or_else(|| where_it_is(evidence, &readings))
         .or_else(|| partly(evidence, &readings))
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
@@ -290,6 +298,17 @@ fn of_parts(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<Diagnosis> 
     }
     found.sort_by_key(|one| (!one.certain, std::cmp::Reverse(one.explained)));
     found
+}
+
+/// What explains all wrong answers, and is made where the questions have something in common: there no right answer contradicts it.
+fn where_it_is(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
+    let (found, words) = search::limited(evidence, readings)?;
+    let told = found.told(evidence);
+    Some(Diagnosis {
+        name: format!("{}, but only where {words}", told.name),
+        certain: false,
+        ..told
+    })
 }
 
 /// What explains all wrong answers, and is made in these cases only.

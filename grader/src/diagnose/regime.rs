@@ -16,10 +16,10 @@ const ENOUGH: usize = 2;
 const HINT: &str = "Go through the first of these questions by hand, line by line: which of your steps makes no sense there, such as the division by a length of 0?";
 
 /// A property of a question, in words: “`b` is 0”.
-struct Regime {
-    words: String,
+pub struct Regime {
+    pub words: String,
     /// Of each item, whether its question has the property.
-    holds: Vec<bool>,
+    pub holds: Vec<bool>,
 }
 
 /// Where the answers are wrong, if no mistake is known that gives them.
@@ -65,6 +65,13 @@ pub fn shared(evidence: &Evidence<'_>) -> Option<String> {
         .map(|regime| regime.words)
 }
 
+/// What the questions with a wrong answer have in common, be it that others have it too.
+pub fn of_wrong(evidence: &Evidence<'_>) -> Vec<Regime> {
+    let mut all = regimes(evidence);
+    all.retain(|regime| regime.holds[..evidence.wrong].iter().all(|holds| *holds));
+    all
+}
+
 /// The numbers of a part that is in no list, if it is there.
 fn value(kind: &Kind, part: usize, item: &Item) -> Option<Vec<f64>> {
     let fields = layout(kind, &item.question);
@@ -104,6 +111,12 @@ fn regimes(evidence: &Evidence<'_>) -> Vec<Regime> {
                 for (axis, k) in VECTOR.parts.iter().zip(0..) {
                     add(format!("`{name}` is parallel to the {axis} axis"), &|q| {
                         each(&|v| is_along(v, k), q)
+                    });
+                    add(format!("`{name}` goes down along {axis}"), &|q| {
+                        each(&|v| v[k] < 0.0, q)
+                    });
+                    add(format!("`{name}` goes up along {axis}"), &|q| {
+                        each(&|v| v[k] > 0.0, q)
                     });
                 }
             }

@@ -6,6 +6,7 @@ use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::Misreading;
 use super::pairs::{both, composed, pairs};
+use super::regime::{self, Regime};
 use super::slips::{goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
@@ -87,6 +88,36 @@ pub fn partly(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
     best(found)
 }
 
+/// The explanation that gives all wrong answers to the last digits, and in words what the questions of these have in common, where it
+/// contradicts no right answer: it may where the question is another.
+pub fn limited(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<(Found, String)> {
+    let regimes = regime::of_wrong(evidence);
+    if regimes.is_empty() || evidence.wrong < ENOUGH {
+        return None;
+    }
+    let mut found = Vec::new();
+    plain(evidence, readings, 1.0, &mut found);
+    found.retain(Found::is_partly);
+    found.sort_by_key(Found::key);
+    let mut pairs = found.into_iter().filter_map(|mut one| {
+        let holds = |regime: &&Regime| {
+            let predict = |k: usize| match regime.holds[k] {
+                true => one.answers[k].clone(),
+                false => Some(evidence.items[k].golden().to_vec()),
+            };
+            let score = evidence.score(1.0, predict);
+            score.is_some_and(|score| score.contradicted == 0)
+        };
+        let words = regimes.iter().find(holds)?.words.clone();
+        one.score.contradicted = 0;
+        Some((one, words))
+    });
+    pairs.next()
+}
+
+/// Of fewer wrong answers too much is in common.
+const ENOUGH: usize = 3;
+
 /// All explanations by one mistake that give this share of the wrong answers.
 pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
     own(evidence, share, found);
@@ -147,7 +178,10 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
         let known = found.len();
         consider(evidence, share, one, &answer, found);
         for one in &mut found[known..] {
-            one.score.is_doubtful |= slip.is_doubtful();
+            let beside = |k: usize| slip.answer_beside(&evidence.items[k].question);
+            let beside = evidence.score(share, beside);
+            let is_vague = beside.is_some_and(|beside| beside.sharp >= one.score.sharp);
+            one.score.is_doubtful |= slip.is_doubtful() || is_vague;
         }
     }
 }

@@ -78,7 +78,7 @@ impl Explained for SpendBudget {
         let left = way.number("what is left after the least for each", "", left as f64);
         let left = left.clamp(0.0, f64::from(self.budget)) as u64;
         way.remark("Each of these samples goes where it takes off most of σ²/n, which is σ²/n − σ²/(n + 1) = σ²/(n (n + 1)).");
-        let mut gain = |pixel: usize, n: u32| {
+        let gain = |way: &mut Way, pixel: usize, n: u32| {
             way.silently(|way| {
                 let deviation = way.part("σ", f64::from(self.deviations[pixel]));
                 let square = way.part("σ²", deviation * deviation);
@@ -88,13 +88,12 @@ impl Explained for SpendBudget {
             })
         };
         for _ in 0..left {
-            let gains = counts.iter().enumerate().map(|(i, n)| gain(i, *n));
-            let gains: Vec<_> = gains.collect();
-            // Of two alike the first.
-            let best =
-                (0..gains.len()).max_by(|&a, &b| gains[a].total_cmp(&gains[b]).then(b.cmp(&a)));
-            let Some(best) = best else { break };
-            counts[best] += 1;
+            let gains = counts.iter().enumerate().map(|(i, n)| gain(way, i, *n));
+            let losses: Vec<_> = gains.map(|gain| -gain).collect();
+            if losses.is_empty() {
+                break;
+            }
+            counts[way.least("the pixel that gains most", &losses)] += 1;
         }
         for (i, (count, deviation)) in counts.iter().zip(&self.deviations).enumerate() {
             way.pair(

@@ -48,11 +48,13 @@ impl Explained for Collapse {
                     (i, way.part("a branch's area", area))
                 };
                 let areas: Vec<_> = way.silently(|way| branches.map(|i| of(way, i)).collect());
-                let largest = areas.into_iter().max_by(|a, b| a.1.total_cmp(&b.1));
-                let Some((largest, area)) = largest else {
+                if areas.is_empty() {
                     way.remark("No branch is left among them.");
                     break;
-                };
+                }
+                let smallness: Vec<_> = areas.iter().map(|(_, area)| -area).collect();
+                let largest = way.least("the branch with the largest area", &smallness);
+                let (largest, area) = areas[largest];
                 let gives_way = family.remove(largest);
                 way.number(
                     format!("node {gives_way} is its largest branch, and gives way to its children: its area"),

@@ -122,6 +122,9 @@ pub type Sides = fn(f64, f64) -> [f64; 2];
 /// What is made of what holds or does not, each by itself, where one that holds is enough.
 pub type Among = fn(&[bool]) -> bool;
 
+/// Which of several things is chosen, by a number of each, instead of the one with the least number.
+pub type Pick = fn(&[f64]) -> usize;
+
 /// From which round a value is taken, by the number of the round in which it is wanted: that one, or one before it.
 pub type Earlier = fn(usize) -> usize;
 
@@ -164,6 +167,15 @@ pub enum Slip {
     Decision(Place, fn(bool) -> bool),
     /// Of several things of which one is enough, others are asked, or more must hold.
     Among(Place, Among),
+    /// Of several things another one is chosen.
+    Choice(Place, Pick),
+    /// Of several things one is chosen by the numbers of another step, if it has one for each.
+    ChoiceBy {
+        /// The choice that is wrong.
+        at: Place,
+        /// The step whose numbers are taken.
+        of: Place,
+    },
     /// Two numbers that differ by less than this are taken for equal.
     Near(Place, f64),
     /// Of two numbers that are compared another is made.
@@ -188,6 +200,8 @@ impl Slip {
             | Self::Mix { at, .. }
             | Self::Decision(at, _)
             | Self::Among(at, _)
+            | Self::Choice(at, _)
+            | Self::ChoiceBy { at, .. }
             | Self::Near(at, _)
             | Self::Sides(at, _)
             | Self::Tie(at)

@@ -10,6 +10,7 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
 use raybook_workbook::octree_rows::TreeRow;
+use std::collections::BTreeSet;
 
 /// The tree that the library builds if it is told something else about which cells a box reaches, or other limits.
 fn built(
@@ -30,6 +31,33 @@ fn built(
         seen(&q.shapes[i as usize], cells)
     });
     TreeRow::from(tree)
+}
+
+/// Writes the names of the shapes in a node anew, those of a node with children before its children's.
+fn name_all(tree: &TreeRow, node: usize, made: &mut TreeRow) {
+    let row = &tree.nodes[node];
+    let first = row.first as usize;
+    let names = below(tree, node);
+    if row.inner == 0 {
+        made.nodes[node].first = made.names.len() as u32;
+    }
+    made.names.extend(names);
+    if row.inner != 0 {
+        (first..first + 8).for_each(|child| name_all(tree, child, made));
+    }
+}
+
+/// The shapes that the leaves below a node name.
+fn below(tree: &TreeRow, node: usize) -> BTreeSet<u32> {
+    let row = &tree.nodes[node];
+    let first = row.first as usize;
+    if row.inner == 0 {
+        let names = &tree.names[first..first + row.count as usize];
+        names.iter().copied().collect()
+    } else {
+        let children = first..first + 8;
+        children.flat_map(|child| below(tree, child)).collect()
+    }
 }
 
 impl Graded for OctreeBuild {
@@ -178,12 +206,19 @@ impl Graded for OctreeBuild {
             } else {
                 one.nodes[i].first = one.names.len() as u32;
                 let count = one.nodes[i].count as usize;
-                let mut names = tree.names[first.min(tree.names.len())..][..count].to_vec();
-                names.sort_unstable();
-                one.names.extend(names);
+                let mut own = tree.names[first.min(tree.names.len())..][..count].to_vec();
+                own.sort_unstable();
+                one.names.extend(own);
             }
             i += 1;
         }
+        // Those that no leaf has are told by it too.
+        let mut begin = 0;
+        for of_leaf in names {
+            one.names.extend(&tree.names[begin..of_leaf.start]);
+            begin = of_leaf.end;
+        }
+        one.names.extend(&tree.names[begin..]);
         one
     }
 
@@ -296,6 +331,19 @@ impl Graded for OctreeBuild {
             answer: |q| TreeRow {
                 names: Vec::new(),
                 ..built(q, |l| l, reached)
+            },
+        },
+        Mistake {
+            name: "writes the names of a cell that it cuts into the list, too",
+            hint: "Who reads the names of a node with children? When is it known whether a cell is cut?",
+            answer: |q| {
+                let tree = built(q, |l| l, reached);
+                let mut made = TreeRow {
+                    names: Vec::new(),
+                    ..tree.clone()
+                };
+                name_all(&tree, 0, &mut made);
+                made
             },
         },
         Mistake {

@@ -196,6 +196,22 @@ impl Graded for OctreeWalk {
             answer: |q| walked(q, q.ray, Interval::new(f32::NEG_INFINITY, q.within.max)),
         },
         Mistake {
+            name: "asks for the interval at the root only",
+            hint: "The root holds the interval's part of the ray: does each child too?",
+            answer: |q| {
+                let root = Aabb {
+                    min: q.min,
+                    max: q.max,
+                };
+                if slab::clip(&root, &q.ray, q.within).is_some() {
+                    let all = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+                    walked(q, q.ray, all)
+                } else {
+                    Vec::new()
+                }
+            },
+        },
+        Mistake {
             name: "loses rays that do not move along some axis",
             hint: "If the ray does not move along x, how far is it to the middle plane in x, and what is 0 · ∞?",
             answer: |q| {

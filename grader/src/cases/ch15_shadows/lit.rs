@@ -277,6 +277,17 @@ impl Graded for Lit {
             },
         },
         Mistake {
+            name: "leaves out a sphere in which the light is",
+            hint: "A lamp may stand in a lampshade: does the way to it go through the shade?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let light = q.position + q.distance * *q.toward;
+                    q.spheres
+                        .retain(|ball| ball.center.distance(light) >= ball.radius);
+                })
+            },
+        },
+        Mistake {
             name: "goes away from the light",
             hint: "From the surface to the light: in which direction?",
             answer: |q| {

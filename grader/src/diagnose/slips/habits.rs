@@ -1,7 +1,7 @@
 //! What people make of a step's value, of a power, of several things and of the rounds of a loop.
 
-use crate::explain::slip::{Among, Change, Earlier, Powers, Rounds, Sides};
-use crate::explain::way::Axes;
+use crate::explain::slip::{Among, Change, Earlier, Pick, Powers, Rounds, Sides};
+use crate::explain::way::{Axes, least};
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
 
 /// What is often made of a value of a certain size.
@@ -177,6 +177,43 @@ pub const AMONG: &[(u32, &str, Among)] = &[
     }),
     (2, "wants all, where one is enough,", |all| {
         all.iter().all(|one| *one)
+    }),
+];
+
+/// Where the least number is, if one of them does not count.
+fn least_without(of: &[f64], out: usize) -> usize {
+    let mut left = of.to_vec();
+    if let Some(one) = left.get_mut(out) {
+        *one = f64::INFINITY;
+    }
+    least(&left)
+}
+
+/// Which of several things people choose instead of the one with the least number: how common it is, and in words before what is chosen.
+pub const CHOICES: &[(u32, &str, Pick)] = &[
+    (9, "takes the wrong end, < for > or min for max,", |of| {
+        least(&of.iter().map(|v| -v).collect::<Vec<_>>())
+    }),
+    (9, "takes the first of all", |_| 0),
+    (9, "takes the last of all", |of| of.len() - 1),
+    (10, "leaves out the first of all", |of| least_without(of, 0)),
+    (10, "leaves out the second of all", |of| {
+        least_without(of, 1)
+    }),
+    (10, "leaves out the last of all", |of| {
+        least_without(of, of.len() - 1)
+    }),
+    (11, "takes the second best", |of| {
+        least_without(of, least(of))
+    }),
+    (11, "takes the last of those that are equal", |of| {
+        let all = of.iter().enumerate();
+        all.rev()
+            .min_by(|a, b| a.1.total_cmp(b.1))
+            .map_or(0, |(i, _)| i)
+    }),
+    (12, "goes by the absolute values", |of| {
+        least(&of.iter().map(|v| v.abs()).collect::<Vec<_>>())
     }),
 ];
 

@@ -9,9 +9,9 @@ use super::evidence::Evidence;
 use super::function::FUNCTIONS;
 use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::{Asks, Decision, Loop, Operation, Step, Way};
+use crate::explain::way::{Asks, Choice, Decision, Loop, Operation, Step, Way};
 use crate::explain::{Explainer, find};
-use habits::{AMONG, COMMON, EARLIER, NEAR, POWERS, ROUNDS, SIDES};
+use habits::{AMONG, CHOICES, COMMON, EARLIER, NEAR, POWERS, ROUNDS, SIDES};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -60,6 +60,20 @@ impl Slipped {
         matches!(self.slip, Slip::Sides(..))
     }
 
+    /// What is answered if the changed value is a little larger still; none of another slip, and of a common one. Where that is the same, as
+    /// of a number that is rounded, other changes have the same answers too.
+    pub fn answer_beside(&self, question: &[f64]) -> Option<Vec<f64>> {
+        let Slip::Value(at, _) = self.slip else {
+            return None;
+        };
+        if self.rank < RANK + RARE {
+            return None;
+        }
+        let larger = Slip::Value(at, Change::Each(|v| 1.02 * v));
+        let mut way = Way::with_both([self.slip, larger]).no_longer_than(self.most);
+        attempt(|| (self.explainer.work)(self.way, question, &mut way))
+    }
+
     /// Whether another slip can be made on the same way too.
     pub fn goes_with(&self, with: &Self) -> bool {
         // Of one value its numbers by themselves, as their signs, and all together, as its length.
@@ -79,6 +93,9 @@ impl Slipped {
         way.end().length
     }
 }
+
+/// The rank of the first change of a value that is no common one: takes 0, 1, twice or half of it.
+const RARE: u32 = 10;
 
 /// A way with a slip may be this many times as long as the longest without, and this many steps longer.
 const LONGER: (usize, usize) = (20, 1000);
@@ -112,6 +129,7 @@ struct Passed {
     /// Each with what leads on.
     steps: Vec<(Step, &'static str)>,
     decisions: Vec<Decision>,
+    choices: Vec<Choice>,
     operations: Vec<Operation>,
     powers: Vec<Operation>,
     loops: Vec<Loop>,
@@ -147,6 +165,7 @@ fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Opti
                 passed.decisions.push(decision);
             }
         }
+        add_new(&mut passed.choices, walked.choices);
         add_new(&mut passed.operations, walked.operations);
         add_new(&mut passed.powers, walked.powers);
         add_new(&mut passed.loops, walked.loops);
@@ -228,6 +247,17 @@ fn slips(explainer: &'static Explainer, number: usize, evidence: &Evidence<'_>) 
             }
         }
     }
+    for Choice { name, place, count } in &passed.choices {
+        let other = steps.iter().filter(|(of, _)| of.value.len() == *count);
+        for (of, _) in other {
+            let name = format!("goes by “{}” when it chooses {name}", short(of));
+            let slip = Slip::ChoiceBy {
+                at: *place,
+                of: of.place,
+            };
+            add(name, CHOSEN, 12, slip);
+        }
+    }
     let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
     let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
     let tells = evidence.is_judged() && evidence.tells_much();
@@ -287,6 +317,12 @@ fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Sl
             }
         }
     }
+    for Choice { name, place, .. } in &passed.choices {
+        for (rank, what, pick) in CHOICES {
+            let name = format!("{what} when it chooses {name}");
+            all.push((name, CHOSEN, *rank, Slip::Choice(*place, *pick)));
+        }
+    }
     for Loop { name, place } in &passed.loops {
         for (rank, what, of) in ROUNDS {
             let slip = Slip::Rounds(*place, *of);
@@ -336,6 +372,9 @@ const POWER: &str = "How does your language write a power, and what does it calc
 
 /// What leads on from several things that are asked.
 const EACH: &str = "Print for each of them in turn what your function finds: which of them are asked, and which of the findings is kept?";
+
+/// What leads on from a choice.
+const CHOSEN: &str = "Print, each time that your function chooses, the numbers by which it does, and what it takes: which of them should it be?";
 
 /// What leads on from what is forgotten.
 const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";

@@ -36,6 +36,8 @@ struct Start {
     above: DVec3,
     /// The same of a walk backwards.
     below: DVec3,
+    /// The number of cells along each axis, which a walk stays below in either sense.
+    bound: DVec3,
 }
 
 impl Through {
@@ -120,6 +122,10 @@ impl Start {
             "the number at which the walk ends where the ray goes backwards",
             DVec3::NEG_ONE,
         );
+        let bound = way.part(
+            "the number of cells, which a cell's number is below whichever way the ray goes",
+            through.count.as_dvec3(),
+        );
         let step = way.part(
             "the step from cell to cell: 1, or −1 where the ray goes backwards",
             2.0 * forward - 1.0,
@@ -131,6 +137,7 @@ impl Start {
             step,
             above,
             below,
+            bound,
         })
     }
 
@@ -144,7 +151,7 @@ impl Start {
         };
         let mut next = cell;
         next[axis] = at as u32;
-        is_inside.then_some(next)
+        (is_inside && at < self.bound[axis]).then_some(next)
     }
 }
 
@@ -192,7 +199,8 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
     let mut visits = Vec::new();
     for _ in 0..most(asked) {
         next = way.part("the next planes ahead, at t", next);
-        let nearest = way.part("the nearest of the next planes", next.min_element());
+        let axis = way.least("the axis of the nearest plane", &next.to_array());
+        let nearest = way.part("the nearest of the next planes", next[axis]);
         let is_beyond = way.is_less("the way through the lattice ends in a cell", end, nearest);
         let leave = if is_beyond { end } else { nearest };
         if leave > enter || !leaves_out {
@@ -202,7 +210,6 @@ fn by_increments(asked: &GridWalk, way: &mut Way, leaves_out: bool) -> Vec<Visit
         if way.is_at_most("the way through the lattice has ended", end, leave) {
             return visits;
         }
-        let axis = next.min_position();
         let Some(beyond) = start.next(cell, axis) else {
             return visits;
         };
@@ -297,11 +304,12 @@ impl Explained for GridWalk {
                 "m",
                 next,
             );
-            let nearest = way.part("the nearest plane ahead", next.min_element());
+            let axis = way.least("the axis of the nearest plane", &next.to_array());
+            let nearest = way.part("the nearest plane ahead", next[axis]);
             let is_beyond = way.is_less("the interval ends in a cell", limit, nearest);
             let leave = if is_beyond { limit } else { nearest };
             visits.push(visit(way, cell, leave));
-            let beyond = start.next(cell, next.min_position());
+            let beyond = start.next(cell, axis);
             let Some(beyond) = beyond.filter(|_| leave < limit) else {
                 let why = if leave >= limit {
                     "The interval ends here."

@@ -97,7 +97,8 @@ impl Explained for TwoLevelWalk {
         way.remark("First through the coarse cells:");
         let visits = coarse.work(way);
         let (mut enter, mut places) = (self.within.min, Vec::new());
-        for visit in &visits {
+        for i in way.rounds("the coarse cells on the ray's way", visits.len()) {
+            let visit = &visits[i];
             let Visit { x, y, z, leave } = visit;
             let name = format!("coarse cell ({x}, {y}, {z})");
             let along = way.part("the coarse cells along x", nx);
@@ -122,8 +123,10 @@ impl Explained for TwoLevelWalk {
             let low = way.part("the least corner of a coarse cell", whole.min.as_dvec3());
             let size = whole.cell / resolution.as_vec3();
             let walk = through(self, low.as_vec3(), size, resolution, inside);
-            for cell in way.silently(|way| walk.work(way)) {
-                let Visit { x, y, z, .. } = cell;
+            let cells = way.silently(|way| walk.work(way));
+            let count = cells.len();
+            for i in way.rounds("a coarse cell's fine cells on the ray's way", count) {
+                let Visit { x, y, z, .. } = cells[i];
                 let along = way.part("nx", f64::from(resolution.x));
                 let up = way.part("ny", f64::from(resolution.y));
                 let [x_of, y_of, z_of] = [x, y, z].map(f64::from);

@@ -59,6 +59,58 @@ fn visit(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     }
 }
 
+/// The same from the children that the ray passes through, sorted by where it enters them.
+fn below(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec<u32>) {
+    let Some(row) = q.nodes.get(node) else {
+        return;
+    };
+    if row.inner == 0 {
+        if row.count > 0 {
+            found.push(node as u32);
+        }
+        return;
+    }
+    let ray = rays::parts(&q.ray);
+    let within = [q.within.min, q.within.max].map(f64::from);
+    let first = row.first as usize;
+    let met = (0..8).filter_map(|child| {
+        let cell = child_cell(&cell, child);
+        let [min, max] = [cell.min, cell.max].map(Vec3::as_dvec3);
+        let [enter, leave] = rays::clipped(ray, within, min, max)?;
+        (leave - enter > TOUCH).then_some((enter, first + child, cell))
+    });
+    let mut met: Vec<_> = met.collect();
+    met.sort_by(|a, b| a.0.total_cmp(&b.0));
+    for i in way.rounds("a node's children that the ray passes through", met.len()) {
+        let (_, child, cell) = met[i];
+        if child > node {
+            below(q, way, child, cell, found);
+        }
+    }
+}
+
+/// The same, below the root.
+fn by_children(q: &OctreeWalk, way: &mut Way) -> Vec<u32> {
+    let mut found = Vec::new();
+    let root = Aabb::new(q.min, q.max);
+    let (ray, within) = (rays::parts(&q.ray), [q.within.min, q.within.max]);
+    let is_leaf = q.nodes.first().is_some_and(|row| row.inner == 0);
+    if way.decides("the root is a leaf itself", is_leaf) {
+        let inside = rays::clipped(
+            ray,
+            within.map(f64::from),
+            q.min.as_dvec3(),
+            q.max.as_dvec3(),
+        );
+        if is_leaf && inside.is_some() {
+            below(q, way, 0, root, &mut found);
+        }
+    } else if !is_leaf {
+        below(q, way, 0, root, &mut found);
+    }
+    found
+}
+
 /// The same in any order: the leaves in which the ray stays for a while, each with the middle of the stay.
 fn stays(
     q: &OctreeWalk,
@@ -125,7 +177,7 @@ fn by_sorting(q: &OctreeWalk, way: &mut Way) -> Vec<u32> {
 }
 
 impl Explained for OctreeWalk {
-    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<u32>] = &[Self::work, by_sorting];
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<u32>] = &[Self::work, by_sorting, by_children];
 
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let mut found = Vec::new();

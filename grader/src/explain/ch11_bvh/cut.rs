@@ -46,18 +46,25 @@ fn cut_along(way: &mut Way, boxes: &[BoxRow], some: &[u32], axis: usize) -> Opti
     let cuts = cuts.map(|before| {
         let i = before + 1;
         let (left, right) = sorted.split_at(i);
-        let of_left = way.part("the area of the left side's box", area(around(boxes, left)));
-        let of_right = way.part(
-            "the area of the right side's box",
-            area(around(boxes, right)),
-        );
+        let within = way.part("the number of boxes in the left side's box", i as f64) as usize;
+        let beyond = way.part("the number of boxes before the right side's box", i as f64) as usize;
+        let around = |some: &[u32]| area(around(boxes, some));
+        let of_left = around(sorted.get(..within).unwrap_or(left));
+        let of_right = around(sorted.get(beyond..).unwrap_or(right));
+        let of_left = way.part("the area of the left side's box", of_left);
+        let of_right = way.part("the area of the right side's box", of_right);
         let left = way.part("the left side's number of boxes", left.len() as f64);
         let right = way.part("the right side's number of boxes", right.len() as f64);
         let left = way.part("the left side's area times its number", of_left * left);
         let right = way.part("the right side's area times its number", of_right * right);
         (i, way.part("the sum of both sides", left + right))
     });
-    let (i, cost) = cuts.min_by(|a, b| a.1.total_cmp(&b.1))?;
+    let mut cuts: Vec<_> = cuts.collect();
+    let costs: Vec<_> = cuts.iter().map(|(_, cost)| *cost).collect();
+    if cuts.is_empty() {
+        return None;
+    }
+    let (i, cost) = cuts.swap_remove(way.least("the cheapest cut along an axis", &costs));
     let right = sorted.split_off(i);
     Some(Cut {
         axis,
@@ -79,8 +86,9 @@ pub fn best_cut(way: &mut Way, boxes: &[BoxRow], some: &[u32]) -> Option<Cut> {
         );
         cut.cost = way.number(words, "m²", cut.cost);
     }
-    let best = cuts.into_iter();
-    best.min_by(|a, b| a.cost.total_cmp(&b.cost))
+    let costs: Vec<_> = cuts.iter().map(|cut| cut.cost).collect();
+    let best = way.least("the cheapest of the axes", &costs);
+    (best < cuts.len()).then(|| cuts.swap_remove(best))
 }
 
 impl Explained for SahSplit {

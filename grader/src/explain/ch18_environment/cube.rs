@@ -10,7 +10,8 @@ impl Explained for DirectionToCube {
     fn work(&self, way: &mut Way) -> CubePlace {
         const FACES: [&str; 6] = ["+x", "−x", "+y", "−y", "+z", "−z"];
         let d = way.part("the direction", self.direction.as_dvec3());
-        let axis = d.abs().max_position();
+        let smallness = (-d.abs()).to_array();
+        let axis = way.least("the axis of the greatest component", &smallness);
         let m = way.number("m: the component of the greatest magnitude", "", d[axis]);
         let is_negative = way.decides("m is negative", m <= 0.0);
         let face = 2 * axis + usize::from(is_negative);

@@ -1,6 +1,6 @@
-//! Decisions on a way: conditions, comparisons, and several things of which one is enough.
+//! Decisions on a way: conditions, comparisons, choices, and several things of which one is enough.
 
-use super::{Asks, Decision, Way};
+use super::{Asks, Choice, Decision, Way};
 use crate::explain::slip::{Comparison, Place, Slip};
 
 impl Way {
@@ -44,6 +44,25 @@ impl Way {
             self.decisions[at].asks = Asks::Several;
         }
         self.settle(at, holds, None)
+    }
+
+    /// Which of several things has the least number, the first of equal ones.
+    #[track_caller]
+    pub fn least(&mut self, name: &'static str, of: &[f64]) -> usize {
+        let place = Place::here();
+        self.count();
+        if of.len() > 1 && !self.choices.iter().any(|one| one.place == place) {
+            let count = of.len();
+            self.choices.push(Choice { name, place, count });
+        }
+        let slipped = self.slips.iter().flatten().find_map(|slip| match slip {
+            Slip::Choice(at, pick) if *at == place && !of.is_empty() => Some(pick(of)),
+            Slip::ChoiceBy { at, of: other } if *at == place => {
+                Some(least(&self.last(*other, of.len())?))
+            }
+            _ => None,
+        });
+        slipped.unwrap_or_else(|| least(of))
     }
 
     #[track_caller]
@@ -90,4 +109,11 @@ impl Way {
         let slips = self.slips.iter().flatten();
         slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
     }
+}
+
+/// The place of the least number, the first of equal ones.
+pub fn least(of: &[f64]) -> usize {
+    let all = of.iter().enumerate();
+    let least = all.min_by(|a, b| a.1.total_cmp(b.1));
+    least.map_or(0, |(i, _)| i)
 }

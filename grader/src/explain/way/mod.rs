@@ -5,12 +5,13 @@ mod step;
 mod walked;
 
 use super::slip::{Place, Slip, end_if_endless};
+pub use decide::least;
 use glam::{DVec2, DVec3};
 use std::borrow::Cow;
 use std::ops::Range;
 use step::Colour;
 pub use step::{Axes, Step, Value, words};
-pub use walked::{Asks, Decision, Loop, Operation, Walked};
+pub use walked::{Asks, Choice, Decision, Loop, Operation, Walked};
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
 #[derive(Debug, Default)]
@@ -18,6 +19,7 @@ pub struct Way {
     steps: Vec<Step>,
     untold: Vec<Step>,
     decisions: Vec<Decision>,
+    choices: Vec<Choice>,
     operations: Vec<Operation>,
     powers: Vec<Operation>,
     loops: Vec<Loop>,
@@ -241,7 +243,7 @@ impl Way {
         let looks_back = |slip: &Slip| {
             matches!(
                 slip,
-                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..)
+                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..) | Slip::ChoiceBy { .. }
             )
         };
         let mut slips = self.slips.iter().flatten();
@@ -256,6 +258,7 @@ impl Way {
             steps: self.steps,
             untold: self.untold,
             decisions: self.decisions,
+            choices: self.choices,
             operations: self.operations,
             powers: self.powers,
             loops: self.loops,

@@ -1,4 +1,4 @@
-//! What a way went through: steps, decisions, operations and loops.
+//! What a way went through: steps, decisions, choices, operations and loops.
 
 use super::step::Step;
 use crate::explain::slip::Place;
@@ -12,6 +12,8 @@ pub struct Walked {
     pub untold: Vec<Step>,
     /// The decisions: at each place the first.
     pub decisions: Vec<Decision>,
+    /// The choices: at each place the first.
+    pub choices: Vec<Choice>,
     /// The operations that may be forgotten: at each place the first.
     pub operations: Vec<Operation>,
     /// The powers: at each place the first.
@@ -46,6 +48,17 @@ pub enum Asks {
     Compared,
     /// Whether any of several things holds.
     Several,
+}
+
+/// A choice among several things, by the least of their numbers.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Choice {
+    /// What is chosen: "the axis of the nearest plane".
+    pub name: &'static str,
+    /// Where it is made.
+    pub place: Place,
+    /// How many things there are.
+    pub count: usize,
 }
 
 /// An operation on a value, which may be forgotten, or done wrongly.

@@ -139,16 +139,18 @@ impl Found {
     }
 
     pub fn told(&self, evidence: &Evidence<'_>) -> Diagnosis {
+        // A mistake of the whole function shows in more answers than it is contradicted by.
+        let in_some = self.is_own() && self.score.contradicted > self.score.explained;
+        self.told_only(evidence, in_some.then_some("in some cases"))
+    }
+
+    /// What it is, and when `only` it is made, if that is known.
+    pub fn told_only(&self, evidence: &Evidence<'_>, only: Option<&str>) -> Diagnosis {
+        let only = only.map_or_else(String::new, |only| format!(", but only {only}"));
         let part = match evidence.scope {
             Scope::Whole => None,
             Scope::Part(part) => Some(evidence.parts[part].name.clone()),
             Scope::Shape => Some("the number of answers".to_owned()),
-        };
-        // A mistake of the whole function shows in more answers than it is contradicted by.
-        let only = if self.is_own() && self.score.contradicted > self.score.explained {
-            ", but only in some cases"
-        } else {
-            ""
         };
         let one = |name: &String, hint: &String, beside: Beside| Diagnosis {
             name: format!("{name}{only}"),

@@ -313,15 +313,14 @@ fn where_it_is(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagn
 
 /// What explains all wrong answers, and is made in these cases only.
 fn partly(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
-    let told = search::partly(evidence, readings)?.told(evidence);
+    let found = search::partly(evidence, readings)?;
     let only = regime::shared(evidence).map_or_else(
         || "in some cases".to_owned(),
         |words| format!("where {words}"),
     );
     Some(Diagnosis {
-        name: format!("{}, but only {only}", told.name),
         certain: false,
-        ..told
+        ..found.told_only(evidence, Some(&only))
     })
 }
 

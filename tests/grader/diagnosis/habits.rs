@@ -156,3 +156,26 @@ fn a_line_that_was_copied_and_not_changed_is_named() {
     let told = "takes for “the middle along an axis” the value of the first round in the second too, as that along x for y";
     assert_eq!(found.name, told);
 }
+
+#[test]
+fn a_line_that_was_copied_from_axis_to_axis_is_named() {
+    // Every vector's y stands for its z too.
+    let found = diagnosed("triangle_normal", |q| {
+        let mut copied = q.to_vec();
+        copied.chunks_exact_mut(3).for_each(|v| v[2] = v[1]);
+        Some(right("triangle_normal", &copied))
+    });
+    let told = "takes y for z in every vector, as in a line that was copied";
+    assert_eq!(found.name, told);
+}
+
+#[test]
+fn the_factor_of_estimates_is_told_to_two_digits() {
+    for (factor, told) in [(0.043, "returns about 0.04"), (37.3, "returns about 3")] {
+        let found = diagnosed("reflected_radiance", |q| {
+            let answer = right("reflected_radiance", q);
+            Some(answer.into_iter().map(|v| v * factor).collect())
+        });
+        assert!(found.name.starts_with(told), "{factor}: {}", found.name);
+    }
+}

@@ -133,8 +133,10 @@ fn rough_factor(pairs: &[Pair]) -> Option<f64> {
     let mut ratios: Vec<_> = pairs.iter().map(ratio).collect();
     ratios.retain(|ratio| ratio.is_finite() && *ratio > 0.0);
     ratios.sort_by(f64::total_cmp);
-    // Rounded to what can be known of it.
-    let middle = (20.0 * ratios.get(ratios.len() / 2)?).round() / 20.0;
+    // Rounded to what can be known of it: two digits.
+    let middle = *ratios.get(ratios.len() / 2)?;
+    let digit = 10_f64.powf(middle.log10().floor() - 1.0);
+    let middle = (middle / digit).round() * digit;
     let size = middle.max(1.0 / middle);
     (LEAST..MOST).contains(&size).then_some(middle)
 }

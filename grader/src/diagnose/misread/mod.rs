@@ -144,20 +144,20 @@ pub fn misreadings(kind: &'static Kind, limits: Limits) -> Vec<Misreading> {
     // Whole numbers in a list are places in another: with others nothing would fit together any more.
     let fits = |part: &Part| part.list.is_none() || !matches!(part.kind, Kind::Whole);
     let linked = !parts.iter().all(fits);
+    let free = |part: &Part| fits(part) && !fixed.contains(&part.name.as_str());
     for (i, part) in parts.iter().enumerate() {
-        if fits(part) && !fixed.contains(&part.name.as_str()) {
+        if free(part) {
             of_part(i, part, &mut all);
         }
     }
     for (i, one) in parts.iter().enumerate() {
         for (j, other) in parts.iter().enumerate().skip(i + 1) {
-            let free = |part: &Part| fits(part) && !fixed.contains(&part.name.as_str());
             if one.kind == other.kind && one.list == other.list && free(one) && free(other) {
                 of_pair((i, one), (j, other), &mut all);
             }
         }
     }
-    of_axes(&parts, &mut all);
+    of_axes(&parts, &free, &mut all);
     let lists = parts.iter().filter_map(|part| part.list).max();
     for list in 0..lists.map_or(0, |last| last + 1) {
         let first = parts.iter().find(|part| part.list == Some(list));

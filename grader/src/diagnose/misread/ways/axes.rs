@@ -4,14 +4,15 @@ use super::{How, Misreading};
 use crate::layout::Part;
 use raybook_workbook::kind::{Kind, VECTOR};
 
-/// The ways to take one axis for another wherever there is a vector.
-pub fn of_axes(parts: &[Part], all: &mut Vec<Misreading>) {
+/// The ways to take one axis for another wherever there is a vector that may be misread.
+pub fn of_axes(parts: &[Part], free: &dyn Fn(&Part) -> bool, all: &mut Vec<Misreading>) {
     let is_vector = |part: &Part| match part.kind {
         Kind::Direction => true,
         Kind::Numbers(numbers) => numbers.name == VECTOR.name,
         _ => false,
     };
-    let vectors = parts.iter().enumerate().filter(|(_, part)| is_vector(part));
+    let vectors = parts.iter().enumerate();
+    let vectors = vectors.filter(|(_, part)| is_vector(part) && free(part));
     let vectors: Vec<_> = vectors.map(|(i, _)| i).collect();
     // Of a single vector it is a mistake in its components.
     if vectors.len() < 2 {

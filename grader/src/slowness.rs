@@ -54,6 +54,9 @@ mod tests {
 
     #[test]
     fn the_loop_takes_some_processor_time() {
-        assert!(measured().is_some_and(|seconds| seconds > 0.0), "these tests need python3");
+        assert!(
+            measured().is_some_and(|seconds| seconds > 0.0),
+            "these tests need python3"
+        );
     }
 }

@@ -70,7 +70,10 @@ pub fn lobe_pdf(cosine: f32, n: f32) -> f32 {
 
 /// The direction at an angle of this cosine to the axis, turned around the axis by the fraction `around` of a full turn.
 fn at_height(axis: Dir3, cosine: f32, around: f32) -> Dir3 {
-    let (r, (sin, cos)) = ((1.0 - cosine * cosine).max(0.0).sqrt(), (TAU * around).sin_cos());
+    let (r, (sin, cos)) = (
+        (1.0 - cosine * cosine).max(0.0).sqrt(),
+        (TAU * around).sin_cos(),
+    );
     let v = vec3(r * cos, r * sin, cosine);
     Dir3::new_or(Basis::around(axis).to_world(v), axis)
 }

@@ -101,9 +101,12 @@ pub fn limited(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<(Foun
     found.sort_by_key(Found::key);
     let mut pairs = found.into_iter().filter_map(|mut one| {
         let holds = |regime: &&Regime| {
-            let predict = |k: usize| match regime.holds[k] {
-                true => one.answers[k].clone(),
-                false => Some(evidence.items[k].golden().to_vec()),
+            let predict = |k: usize| {
+                if regime.holds[k] {
+                    one.answers[k].clone()
+                } else {
+                    Some(evidence.items[k].golden().to_vec())
+                }
             };
             let score = evidence.score(1.0, predict);
             score.is_some_and(|score| score.contradicted == 0)

@@ -276,9 +276,9 @@ mod tests {
                 sums: &mut sums,
             };
             if is_wide {
-                widest(spread)
+                widest(spread);
             } else {
-                spread.run()
+                spread.run();
             }
             sums
         });

@@ -4,10 +4,11 @@ use super::{explanation, made};
 use crate::diagnose::evidence::{Evidence, Item};
 use crate::diagnose::fit::{Answers, Explanation};
 use crate::explain::way::words;
-use crate::layout::{Layout, Part, Span, layout, parts};
+use crate::layout::{Layout, Leaf, Part, Span, layout, parts};
 use raybook_workbook::kind::Kind;
 use std::cmp::Ordering;
 use std::collections::{BTreeSet, HashMap};
+use std::iter;
 
 /// What may become of a list.
 struct Change {
@@ -154,9 +155,7 @@ impl<'a, 'e> Lists<'a, 'e> {
         let Some((_, last)) = parts.as_ref().and_then(|parts| parts.last()) else {
             return Vec::new();
         };
-        let ends: [(&str, fn(f64, f64) -> bool); 2] =
-            [("first", |a, b| a < b), ("last", |a, b| a > b)];
-        let explained = |(end, is_before): (&str, fn(f64, f64) -> bool)| {
+        let explained = |(end, before): (&str, Ordering)| {
             let answers = self.remade(list, |_, elements| {
                 let mut best: HashMap<Vec<u64>, usize> = HashMap::new();
                 for (k, element) in elements.iter().enumerate() {
@@ -165,7 +164,7 @@ impl<'a, 'e> Lists<'a, 'e> {
                     };
                     let kept = best.entry(key.iter().map(|v| v.to_bits()).collect());
                     let kept = kept.or_insert(k);
-                    if is_before(*own, elements[*kept][key.len()]) {
+                    if own.total_cmp(&elements[*kept][key.len()]) == before {
                         *kept = k;
                     }
                 }
@@ -179,6 +178,7 @@ impl<'a, 'e> Lists<'a, 'e> {
                 "May there be several of these? What becomes of the others in your function?";
             explanation(12, name, hint, answers)
         };
+        let ends = [("first", Ordering::Less), ("last", Ordering::Greater)];
         ends.into_iter().map(explained).collect()
     }
 
@@ -237,7 +237,7 @@ impl<'a, 'e> Lists<'a, 'e> {
         let lasts: Vec<_> = (0..self.evidence.items.len()).map(lasts).collect();
         let mut all = Vec::new();
         let singles = (0..axes.len()).map(|axis| axis..axis + 1);
-        for along in singles.chain([0..axes.len()]) {
+        for along in singles.chain(iter::once(0..axes.len())) {
             let names: Vec<_> = axes[along.clone()]
                 .iter()
                 .map(|(_, name)| &**name)
@@ -262,8 +262,8 @@ impl<'a, 'e> Lists<'a, 'e> {
 
     /// Lists of which the first or the last element is the same in all wrong answers.
     fn wrong_at_an_end(&self, list: usize) -> Vec<Explanation> {
-        let ends: [(&str, fn(usize) -> usize); 2] = [("first", |_| 0), ("last", |n| n - 1)];
-        let explained = |(end, at): (&str, fn(usize) -> usize)| {
+        let explained = |(end, is_last): (&str, bool)| {
+            let at = |n: usize| if is_last { n - 1 } else { 0 };
             let mut all = self.wrong().iter().map(|item| {
                 let elements = self.got(item, list)?;
                 (!elements.is_empty()).then(|| elements[at(elements.len())])
@@ -289,6 +289,7 @@ impl<'a, 'e> Lists<'a, 'e> {
             one.fitted = 1;
             Some(one)
         };
+        let ends = [("first", false), ("last", true)];
         ends.into_iter().filter_map(explained).collect()
     }
 
@@ -327,7 +328,7 @@ impl<'a, 'e> Lists<'a, 'e> {
             for (what, is_before, make) in ways {
                 let answers = made(self.base, |i, base| {
                     let fields = self.layouts[i].as_ref()?;
-                    let places: Vec<_> = fields.of_part(part).map(|leaf| leaf.range()).collect();
+                    let places: Vec<_> = fields.of_part(part).map(Leaf::range).collect();
                     let got = &self.evidence.items[i].got;
                     let mut made = base.to_vec();
                     for (k, place) in places.iter().enumerate() {

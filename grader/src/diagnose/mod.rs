@@ -303,11 +303,9 @@ fn of_parts(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<Diagnosis> 
 /// What explains all wrong answers, and is made where the questions have something in common: there no right answer contradicts it.
 fn where_it_is(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Diagnosis> {
     let (found, words) = search::limited(evidence, readings)?;
-    let told = found.told(evidence);
     Some(Diagnosis {
-        name: format!("{}, but only where {words}", told.name),
         certain: false,
-        ..told
+        ..found.told_only(evidence, Some(&format!("where {words}")))
     })
 }
 

@@ -1,14 +1,16 @@
 //! `grid_walk`: random questions, judge and mistakes.
 
+mod walks;
+
 use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use glam::{UVec3, uvec3, vec3};
+use glam::{uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
+use walks::{ADDING, Adding, added, ahead, by_distance, in_front, nearest, student};
 
 impl Graded for GridWalk {
     fn random(rng: &mut Pcg) -> GridWalk {
@@ -443,135 +445,4 @@ fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
             ..visit
         })
         .collect()
-}
-
-/// The number of the plane that the ray meets next, from that of its cell.
-fn ahead(backward: bool, cell: i64) -> i64 {
-    if backward { cell } else { cell + 1 }
-}
-
-/// The same, from the ray's direction along the axis.
-fn in_front(direction: f32, cell: i64) -> i64 {
-    ahead(direction.is_sign_negative(), cell)
-}
-
-/// The axes along which the ray meets a plane, that of the nearest plane first.
-fn by_distance(next: [f32; 3]) -> Vec<usize> {
-    let mut axes: Vec<_> = (0..3).filter(|&axis| next[axis].is_finite()).collect();
-    axes.sort_by(|&a, &b| next[a].total_cmp(&next[b]));
-    axes
-}
-
-/// The axis of the nearest plane.
-fn nearest(next: [f32; 3]) -> Vec<usize> {
-    let mut axes = by_distance(next);
-    axes.truncate(1);
-    axes
-}
-
-/// A walk with a beginning, a plane, and axes along which it steps of the student's choice: where the first of them is crossed, the
-/// ray leaves the cell.
-fn student(
-    q: &GridWalk,
-    begin: fn(&GridWalk) -> f32,
-    plane: fn(f32, i64) -> i64,
-    choose: fn([f32; 3]) -> Vec<usize>,
-) -> Vec<Visit> {
-    let lattice: Lattice = q.lattice();
-    if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
-        return Vec::new();
-    }
-    let mut cell = lattice.cell_at(q.ray.at(begin(q)));
-    let mut visits = Vec::new();
-    for _ in 0..lattice.resolution.element_sum() {
-        let next = [0, 1, 2].map(|axis| {
-            let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
-            let number = plane(d, i64::from(cell[axis])) as f32;
-            let t = (lattice.min[axis] + number * lattice.cell[axis] - o) / d;
-            if t.is_nan() { f32::INFINITY } else { t }
-        });
-        let axes = choose(next);
-        let leave = axes.first().map_or(f32::INFINITY, |&axis| next[axis]);
-        let leave = leave.min(q.within.max);
-        let UVec3 { x, y, z } = cell;
-        visits.push(Visit { x, y, z, leave });
-        let forward = |axis: usize| q.ray.direction[axis] > 0.0;
-        let last = |axis: usize| {
-            if forward(axis) {
-                lattice.resolution[axis] - 1
-            } else {
-                0
-            }
-        };
-        if leave >= q.within.max || axes.iter().any(|&axis| cell[axis] == last(axis)) {
-            break;
-        }
-        for axis in axes {
-            cell[axis] = if forward(axis) {
-                cell[axis] + 1
-            } else {
-                cell[axis] - 1
-            };
-        }
-    }
-    visits
-}
-
-/// What may be mistaken in a walk that adds the way between two planes in every step.
-struct Adding {
-    /// The way between two planes, from the extent of a cell and the direction.
-    apart: fn(f32, f32) -> f32,
-    /// What the distances of the first planes lack.
-    late: fn(&GridWalk) -> f32,
-    /// A cell's number, from a place in the lattice.
-    rounded: fn(f32) -> f32,
-    /// The axis along which the ray leaves a cell.
-    chosen: fn([f32; 3]) -> Option<usize>,
-}
-
-/// The walk without a mistake.
-const ADDING: Adding = Adding {
-    apart: |cell, d| (cell / d).abs(),
-    late: |_| 0.0,
-    rounded: f32::floor,
-    chosen: |next| nearest(next).first().copied(),
-};
-
-/// A walk that adds the way between two planes in every step (Amanatides and Woo 1987).
-fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
-    let lattice: Lattice = q.lattice();
-    if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
-        return Vec::new();
-    }
-    let (o, d) = (q.ray.origin, *q.ray.direction);
-    let place = (q.ray.at(start(q)) - lattice.min) / lattice.cell;
-    let last = lattice.resolution.as_ivec3() - 1;
-    let mut cell = place.to_array().map(by.rounded).map(|i| i as i32);
-    for axis in 0..3 {
-        cell[axis] = cell[axis].clamp(0, last[axis]);
-    }
-    let mut next = [0, 1, 2].map(|axis| {
-        let plane = ahead(d[axis] < 0.0, i64::from(cell[axis])) as f32;
-        let t = (lattice.min[axis] + plane * lattice.cell[axis] - o[axis]) / d[axis];
-        if d[axis] == 0.0 {
-            f32::INFINITY
-        } else {
-            t - (by.late)(q)
-        }
-    });
-    let mut visits = Vec::new();
-    for _ in 0..=lattice.resolution.element_sum() {
-        let Some(axis) = (by.chosen)(next) else {
-            break;
-        };
-        let [x, y, z] = cell.map(|i| i as u32);
-        let leave = next[axis].min(q.within.max);
-        visits.push(Visit { x, y, z, leave });
-        cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
-        if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
-            break;
-        }
-        next[axis] += (by.apart)(lattice.cell[axis], d[axis]);
-    }
-    visits
 }

@@ -2,6 +2,7 @@
 //! more of it makes it as much larger, a summand. So slips in one operation have their names without a word in any exercise.
 
 use super::brackets::{Input, brackets};
+use super::possible::short;
 use crate::attempt::attempt;
 use crate::explain::Explainer;
 use crate::explain::slip::{Change, Mixed, Place, Slip};
@@ -80,7 +81,7 @@ pub fn operations(
     let mut operations = Vec::new();
     for (_, of, found) in &all {
         for (at, operand) in found {
-            for (name, rank, how) in operand.slips(&super::short(of)) {
+            for (name, rank, how) in operand.slips(&short(of)) {
                 let mut add = |name: String, rank, only| {
                     let of = of.place;
                     let at = at.place;
@@ -95,7 +96,7 @@ pub fn operations(
         }
     }
     let goes_in = |(_, of, found): &(usize, &Step, Vec<(&Step, Operand)>)| {
-        let (of, name) = (of.place, super::short(of));
+        let (of, name) = (of.place, short(of));
         let into = found.iter().map(move |(at, how)| Input {
             of,
             name: name.clone(),
@@ -118,7 +119,7 @@ pub fn operations(
 fn foreign(at: &Step, of: &Step) -> Vec<Operation> {
     /// The rank of these slips.
     const SELDOM: u32 = 13;
-    let name = super::short(of);
+    let name = short(of);
     let is_alike = of.unit == at.unit && of.value.len() == at.value.len();
     let is_pure = of.unit.is_empty() && of.value.len() == 1;
     let fits = [1, at.value.len()].contains(&of.value.len());

@@ -18,6 +18,7 @@ mod several;
 mod structures;
 mod students;
 mod undone;
+mod written;
 
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;

@@ -86,6 +86,9 @@ const ANY: Death = Death {
     hint: "Read the message of that case, and print what stands in the line that it names.",
 };
 
+/// A mistake that explains this many answers, and all that came, is told before the error.
+const CAME: usize = 3;
+
 /// What was found in the answers, and what the errors with which the function stops have in common, with the first case that does:
 /// first what explains more of the wrong cases.
 pub fn with_panics(
@@ -99,7 +102,9 @@ pub fn with_panics(
     let Some(found) = found else {
         return Some(died);
     };
-    let (mut first, second) = if found.explained > died.explained {
+    // What explains every answer that came goes wrong in the others, too.
+    let is_cause = found.explained >= CAME && found.explained + died.explained >= wrong;
+    let (mut first, second) = if is_cause || found.explained > died.explained {
         (found, died)
     } else {
         (died, found)

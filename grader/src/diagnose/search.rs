@@ -4,10 +4,10 @@ use super::component;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
-use super::misread::Misreading;
+use super::misread::{Misreading, times};
 use super::pairs::{both, composed, pairs};
 use super::regime::{self, Regime};
-use super::slips::{goes_a_known_way, slipped};
+use super::slips::{Slipped, fitted, goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
@@ -91,13 +91,21 @@ pub fn partly(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
 /// The explanation that gives all wrong answers to the last digits, and in words what the questions of these have in common, where it
 /// contradicts no right answer: it may where the question is another.
 pub fn limited(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<(Found, String)> {
-    let regimes = regime::of_wrong(evidence);
-    if regimes.is_empty() || evidence.wrong < ENOUGH {
+    if evidence.wrong < ENOUGH {
         return None;
     }
     let mut found = Vec::new();
     plain(evidence, readings, 1.0, &mut found);
+    limited_among(evidence, found)
+}
+
+/// The same of these explanations.
+fn limited_among(evidence: &Evidence<'_>, mut found: Vec<Found>) -> Option<(Found, String)> {
     found.retain(Found::is_partly);
+    if found.is_empty() || evidence.wrong < ENOUGH {
+        return None;
+    }
+    let regimes = regime::of_wrong(evidence);
     found.sort_by_key(Found::key);
     let mut pairs = found.into_iter().filter_map(|mut one| {
         let holds = |regime: &&Regime| {
@@ -157,7 +165,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         consider(evidence, share, one, &answer, found);
     }
     if evidence.is_judged() && !found.iter().any(Found::is_complete) {
-        by_slips(evidence, share, found);
+        by_slips(evidence, share, slipped(evidence), found);
     }
     if !found.iter().any(Found::is_complete) {
         for one in fit::undone(evidence, &golden) {
@@ -165,11 +173,31 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
             consider(evidence, share, one, &|k| answers[k].clone(), found);
         }
     }
+    let is_fit = evidence.is_judged() && evidence.scope == Scope::Whole && evidence.tells_much();
+    if is_fit && share >= MOST && !found.iter().any(Found::is_complete) {
+        for reading in times(evidence.examiner.asked().question) {
+            let answer = |by: f64, k: usize| misread(evidence, &reading(by), k);
+            let Some(by) = fit::factor::factor(evidence, &answer) else {
+                continue;
+            };
+            let (reading, rank) = (reading(by), reading(by).rank);
+            let one = Explanation {
+                name: reading.name.clone(),
+                hint: reading.hint.clone(),
+                rank,
+                fitted: 0,
+                answers: Vec::new(),
+            };
+            let answer = |k: usize| answer(by, k);
+            consider(evidence, share, one, &answer, found);
+        }
+        by_slips(evidence, share, fitted(evidence), found);
+    }
 }
 
 /// All explanations by a step that goes wrong.
-fn by_slips(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
-    for slip in slipped(evidence) {
+fn by_slips(evidence: &Evidence<'_>, share: f64, slips: Vec<Slipped>, found: &mut Vec<Found>) {
+    for slip in slips {
         let answer = |k: usize| slip.answer(&evidence.items[k].question);
         let one = Explanation {
             name: slip.name.clone(),
@@ -197,16 +225,26 @@ pub fn slip_of_structure(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return None;
     }
     let short = evidence.of_short()?;
-    let is_known = evidence.wrong < evidence.items.len();
-    if is_known && !evidence.goes_the_same_way() && !goes_a_known_way(&short) {
-        return None;
-    }
+    let is_known = evidence.wrong == evidence.items.len()
+        || evidence.goes_the_same_way()
+        || goes_a_known_way(&short);
     let mut found = Vec::new();
-    by_slips(&short, MOST, &mut found);
-    let found = best(found).filter(|one| one.score.contradicted == 0)?;
+    by_slips(&short, MOST, slipped(&short), &mut found);
+    // Or the right ones show the slip, too, and cost little more.
+    found.retain(|one| is_known || 2 * one.score.close > short.items.len());
+    let (whole, in_some): (Vec<_>, Vec<_>) = found
+        .into_iter()
+        .partition(|one| one.score.contradicted == 0);
+    let told = match best(whole) {
+        Some(found) => found.told(&short),
+        None => {
+            let (found, words) = limited_among(&short, in_some)?;
+            found.told_only(&short, Some(&format!("where {words}")))
+        }
+    };
     Some(Diagnosis {
         certain: false,
-        ..found.told(&short)
+        ..told
     })
 }
 

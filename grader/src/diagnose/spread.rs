@@ -117,38 +117,41 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let distance = |answers: &dyn Fn(usize) -> Option<Vec<f64>>| traits.distance(answers);
     let right = golden(evidence);
     let whole = distance(&|i| right[i].clone())?;
+    let considered = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let rest = distance(answers).filter(|rest| rest.explains(&whole))?;
+        Some((rest.norm(), rank, name.to_owned(), hint.to_owned()))
+    };
     let mut found: Vec<(f64, u32, String, String)> = Vec::new();
-    let mut consider =
-        |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
-            if let Some(rest) = distance(answers).filter(|rest| rest.explains(&whole)) {
-                found.push((rest.norm(), rank, name.to_owned(), hint.to_owned()));
-            }
-        };
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        consider(0, name, hint, &|k| {
+        found.extend(considered(0, name, hint, &|k| {
             examiner.mistake_answers(i, &evidence.items[k].question)
-        });
+        }));
     }
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
     made.extend(fit::functions(evidence, &right));
     for one in made {
         let answers: Answers = one.answers;
-        consider(one.rank, &one.name, &one.hint, &|k| answers[k].clone());
+        let answer = |k: usize| answers[k].clone();
+        found.extend(considered(one.rank, &one.name, &one.hint, &answer));
     }
     for reading in readings {
-        consider(reading.rank, &reading.name, &reading.hint, &|k| {
-            misread(evidence, reading, k)
-        });
+        let answer = |k| misread(evidence, reading, k);
+        found.extend(considered(
+            reading.rank,
+            &reading.name,
+            &reading.hint,
+            &answer,
+        ));
     }
     // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
     let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
     if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
-        for slip in promising(evidence) {
-            consider(SLIP, &slip.name, &slip.hint, &|k| {
-                slip.answer(&evidence.items[k].question)
-            });
-        }
+        let by_steps = |slip: Slipped| {
+            let answer = |k: usize| slip.answer(&evidence.items[k].question);
+            considered(SLIP, &slip.name, &slip.hint, &answer)
+        };
+        found.extend(promising(evidence).into_iter().filter_map(by_steps));
     }
     let nearest = found.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
     // What is as near as the nearest, but for chance: the commonest first.
@@ -174,7 +177,9 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         1.0
     };
     let is_rival = |other: &&(f64, u32, String, String)| {
-        other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors
+        // A slip that comes exactly as near is the same mistake in other words.
+        let is_the_same = other.1 == SLIP && other.0 == *rest;
+        other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors && !is_the_same
     };
     let mut rivals = found.iter().filter(is_rival);
     let is_near = *rest < NEAR * whole.norm();

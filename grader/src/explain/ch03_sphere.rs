@@ -266,7 +266,9 @@ impl Explained for SphereHit {
 
 impl Explained for SphereNormal {
     fn work(&self, way: &mut Way) -> Vec3 {
-        let out = way.vector("p − c", "m", self.p.as_dvec3() - self.center.as_dvec3());
+        let p = way.part("p", self.p.as_dvec3());
+        let center = way.part("c", self.center.as_dvec3());
+        let out = way.vector("p − c", "m", p - center);
         let length = way.number("|p − c|", "m", out.length());
         let normal = if length > 0.0 { out / length } else { DVec3::Y };
         way.vector("(p − c)/|p − c|", "", normal).as_vec3()

@@ -41,7 +41,8 @@ impl Explained for Collapse {
             way.remark(format!(
                 "Branch {branch} stays. Its two children are its first members."
             ));
-            while family.len() < CHILDREN {
+            let most = way.limit("the most children of a branch", CHILDREN);
+            while family.len() < most {
                 let branches = (0..family.len()).filter(|&i| is_branch(self, family[i]));
                 let of = |way: &mut Way, i: usize| {
                     let area = area_of(self, way, family[i]);

@@ -131,6 +131,9 @@ pub type Earlier = fn(usize) -> usize;
 /// What is made of the rounds of a loop.
 pub type Rounds = fn(Range<usize>) -> Range<usize>;
 
+/// Of this number of things, in which order they are gone through.
+pub type Order = fn(usize) -> Vec<usize>;
+
 /// What happens at one step, wherever the way comes by it.
 #[derive(Clone, Copy, Debug)]
 pub enum Slip {
@@ -186,6 +189,12 @@ pub enum Slip {
     Forgotten(Place),
     /// A loop goes through other rounds.
     Rounds(Place, Rounds),
+    /// Things are gone through in another order.
+    Ordered(Place, Order),
+    /// Another number is written into the program.
+    Limit(Place, usize),
+    /// The value is multiplied by a number that fits.
+    Scaled(Place, f64),
 }
 
 impl Slip {
@@ -206,7 +215,10 @@ impl Slip {
             | Self::Sides(at, _)
             | Self::Tie(at)
             | Self::Forgotten(at)
-            | Self::Rounds(at, _) => at,
+            | Self::Rounds(at, _)
+            | Self::Ordered(at, _)
+            | Self::Limit(at, _)
+            | Self::Scaled(at, _) => at,
         }
     }
 

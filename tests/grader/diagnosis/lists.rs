@@ -202,8 +202,8 @@ fn a_choice_that_leaves_one_out_is_named() {
 fn a_value_that_is_rounded_is_no_certainty() {
     let found = diagnosed("environment_pdf", |q| {
         let theta = q[1].clamp(-1.0, 1.0).acos();
-        // The row is found by the cosine, as if all rows had the same area.
-        let row = (0.5 - 0.5 * theta.cos()) * std::f64::consts::PI;
+        // The row is found by a power of the place.
+        let row = (theta / std::f64::consts::PI).powf(1.3) * std::f64::consts::PI;
         let across = q[0].hypot(q[2]).max(1e-9);
         let [x, z] = [q[0], q[2]].map(|v| v / across);
         let seen = [row.sin() * x, row.cos(), row.sin() * z];

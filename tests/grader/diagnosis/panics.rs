@@ -140,3 +140,18 @@ fn an_error_that_no_language_is_known_for_is_told_with_its_case() {
         ("stops with an error", true)
     );
 }
+
+#[test]
+fn a_mistake_that_explains_every_answer_that_came_is_told_before_the_error() {
+    let turned = |case: &Case| {
+        let asked = cases::find("sphere_normal").expect("an exercise").asked();
+        let normal = asked.read_answer(&case.answers[0]).expect("an answer");
+        let turned: Vec<_> = normal.iter().map(|v| (-v).to_string()).collect();
+        turned.join(" ")
+    };
+    let message = "IndexError: list index out of range";
+    let found = found("sphere_normal", message, |case| case.number > 8, turned);
+    let found = found.expect("it has a name");
+    let error = "takes something from a list that is not in it";
+    assert_eq!((found.name == error, &*found.also[0].name), (false, error));
+}

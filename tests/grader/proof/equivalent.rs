@@ -3,6 +3,7 @@
 use super::ASKED;
 use glam::DVec3;
 use raybook_common::{STALE, measured};
+use raybook_grader::cases;
 use raybook_workbook::row;
 use std::fmt::Write;
 
@@ -145,6 +146,23 @@ pub const EQUIVALENT: &[Equivalent] = &[
             let d = vector(q, 0).normalize();
             let u = 0.5 + d.x.atan2(-d.z) / std::f64::consts::TAU;
             vec![u, d.y.clamp(-1.0, 1.0).acos() / std::f64::consts::PI]
+        },
+    },
+    Equivalent {
+        exercise: "sample_rect",
+        name: "exchanges the two uniform numbers",
+        why: "the n·n pairs are the same ones in another order, and no sample comes before another",
+        answer: |q| {
+            let examiner = cases::find("sample_rect").expect("an exercise");
+            let right = (examiner.asked().call)(q);
+            let [is_there, count, samples @ ..] = right.as_slice() else {
+                return right; // the light turns its back
+            };
+            let samples: Vec<_> = samples.chunks(samples.len() / *count as usize).collect();
+            let n = count.sqrt() as usize;
+            let other_order = (0..n * n).flat_map(|k| samples[k % n * n + k / n]);
+            let all = [is_there, count].into_iter().chain(other_order);
+            all.copied().collect()
         },
     },
 ];

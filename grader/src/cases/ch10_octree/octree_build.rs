@@ -182,7 +182,12 @@ impl Graded for OctreeBuild {
     }
 
     /// The nodes by levels, and the names of each leaf sorted, where it is a tree.
-    fn canonical(q: &OctreeBuild, tree: TreeRow) -> TreeRow {
+    fn canonical(q: &OctreeBuild, mut tree: TreeRow) -> TreeRow {
+        // Where the names of an empty leaf begin is all the same.
+        let leaves_of = tree.nodes.iter_mut().filter(|node| node.inner == 0);
+        leaves_of
+            .filter(|node| node.count == 0)
+            .for_each(|node| node.first = 0);
         // Leaves that share names are told by it.
         let Ok(leaves) = leaves(q, &tree) else {
             return tree;

@@ -56,7 +56,8 @@ impl Graded for VisibleFraction {
     }
 
     /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
-    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times.
+    /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times. Where all of the
+    /// light is seen, or nothing of it, chance has no say: there half a sample is too much.
     fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
         const L: f32 = 21.0;
         /// What the lattice that stands for the exact value may be off.
@@ -69,9 +70,15 @@ impl Graded for VisibleFraction {
             ));
         }
         let exact = exact(q);
+        let [all, none] = [1.1, 0.9].map(|scale| to_the_corners(q, scale));
         for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
-            let bound = (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE;
+            let is_certain = all[i] == 1.0 || none[i] == 0.0;
+            let bound = if is_certain {
+                0.5 / n
+            } else {
+                (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE
+            };
             let name = format!("the fraction of point {i}");
             judge::number_within(&name, "", f, got, bound)?;
             if !(-1e-4..=1.0 + 1e-4).contains(&got) {
@@ -417,6 +424,14 @@ impl Graded for VisibleFraction {
             },
         },
         Mistake {
+            name: "divides by one sample more than it takes",
+            hint: "Where nothing is in the way, is your fraction exactly 1? How many samples do you take, and by which number do you divide?",
+            answer: |q| {
+                let n = q.samples as f32;
+                exact(q).iter().map(|f| f * n / (n + 1.0)).collect()
+            },
+        },
+        Mistake {
             name: "asks from the first point, for all of them",
             hint: "Which point do the ways of the second fraction begin at?",
             answer: |q| {
@@ -441,6 +456,16 @@ fn turned(q: &VisibleFraction) -> VisibleFraction {
 /// The fractions, by a lattice fine enough to stand for the exact value.
 fn exact(q: &VisibleFraction) -> Vec<f32> {
     seen(q, 32, |u| u, [0.0, 1.0])
+}
+
+/// The fractions by a lattice that reaches into the light's corners, and by balls of this scale: where it is 1 for larger balls, all of the
+/// light is seen, and where it is 0 for smaller ones, nothing.
+fn to_the_corners(q: &VisibleFraction, scale: f32) -> Vec<f32> {
+    let mut scaled = q.clone();
+    for ball in &mut scaled.balls {
+        ball.radius *= scale;
+    }
+    seen(&scaled, 32, |u| 0.5 + (u - 0.5) * 32.0 / 31.0, [0.0, 1.0])
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`

@@ -1,6 +1,8 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
 use super::at_height;
+use crate::examine::RANDOM_CASES;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
@@ -89,6 +91,34 @@ impl Graded for CosineHemisphere {
                     "{:.0} % of the directions are less than {degrees:.0}° above the surface; {:.0} % should be",
                     100.0 * below,
                     100.0 * h
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// In many answers the errors of their lattices cancel, behind which another power of the cosine hides in each.
+    ///
+    /// Measured for 8,000 students with 34 cases each and six right methods, the mean of cos θ is at most 0.0046 off, and that of cos²θ
+    /// 0.0050. A density of cos^1.1 or cos^0.9 is at least 0.0065 and 0.0076 off.
+    fn together(answers: &[(CosineHemisphere, Vec<Vec3>)], _: Bounds) -> Verdict {
+        if answers.len() < RANDOM_CASES {
+            return Ok(());
+        }
+        let of_one = |(q, got): &(CosineHemisphere, Vec<Vec3>)| -> Vec<f64> {
+            got.iter().map(|d| q.normal.dot(*d).into()).collect()
+        };
+        let cosines: Vec<f64> = answers.iter().flat_map(of_one).collect();
+        let mean = |f: fn(f64) -> f64| {
+            cosines.iter().map(|cosine| f(*cosine)).sum::<f64>() / cosines.len() as f64
+        };
+        for (what, mean, exact, bound) in [
+            ("cos θ", mean(|cosine| cosine), 2.0 / 3.0, 0.006),
+            ("cos²θ", mean(|cosine| cosine * cosine), 0.5, 0.007),
+        ] {
+            if (mean - exact).abs() > bound {
+                return Err(format!(
+                    "over all answers, the mean of {what} is {mean:.4} and should be {exact:.4}"
                 ));
             }
         }

@@ -277,6 +277,14 @@ impl Graded for EnvironmentPdf {
             answer: |q| rounded(q, true, false),
         },
         Mistake {
+            name: "finds the row by the height, not by the angle from the top",
+            hint: "The rows of the map are equally many degrees high: are they equally high on the sphere?",
+            answer: |q| {
+                let row = cell(0.5 - 0.5 * q.direction.y, q.height) as i32;
+                neighbour(q, 0, row - q.texel().1 as i32)
+            },
+        },
+        Mistake {
             name: "takes the sine in the middle of a row for the whole row",
             hint: "The solid angle of a row is 2π times a difference of cosines: how far is the sine in its middle from that, near a pole?",
             answer: |q| by_sines(q, 0.5),

@@ -26,6 +26,18 @@ fn inside(points: Vec<Vec2>) -> Vec<Vec2> {
     points.into_iter().filter(keep).collect()
 }
 
+/// The points to which some steps along the lattice lead, of two whole numbers each.
+fn steps(q: &RotatedGrid, takes: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+    let points = lattice(q, |p| {
+        if takes((p - q.offset).round()) {
+            turned(p, 1.0)
+        } else {
+            Vec2::INFINITY
+        }
+    });
+    inside(points)
+}
+
 /// By arctan ½, counter-clockwise if `sense` is 1, clockwise if it is −1.
 fn turned(q: Vec2, sense: f32) -> Vec2 {
     vec2(2.0 * q.x - sense * q.y, sense * q.x + 2.0 * q.y) / 5.0_f32.sqrt()
@@ -161,6 +173,19 @@ impl Graded for RotatedGrid {
                 let place = |cell| 0.5 + q.spacing * turned(Vec2::from_array(cell) + q.offset, 1.0);
                 inside(cells.map(place).to_vec())
             },
+        },
+        Mistake {
+            name: "goes half of the square's side from its middle, and comes not into its corners",
+            hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
+            answer: |q| {
+                let reach = (0.5 / q.spacing).ceil();
+                steps(q, |step| step.abs().max_element() <= reach)
+            },
+        },
+        Mistake {
+            name: "takes no negative steps along the lattice",
+            hint: "Where i = j = 0 lies the middle: which points lie on the other side of it?",
+            answer: |q| steps(q, |step| step.min_element() >= 0.0),
         },
         Mistake {
             name: "rotates about the corner",

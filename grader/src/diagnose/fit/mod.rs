@@ -1,5 +1,6 @@
 //! Explanations that every exercise gets for nothing: what a mistake makes of the right answer, with the number that fits.
 
+pub mod factor;
 mod known;
 mod numbers;
 mod orders;

@@ -46,6 +46,29 @@ impl Misreading {
     }
 }
 
+/// A part of the question times a number, for each part that is there once.
+pub fn times(kind: &'static Kind) -> Vec<Box<dyn Fn(f64) -> Misreading>> {
+    let parts = parts(kind, "question").into_iter().enumerate();
+    let is_number = |(_, part): &(usize, Part)| {
+        part.list.is_none() && matches!(part.kind, Kind::Number | Kind::Numbers(_))
+    };
+    let of_part = |(i, part): (usize, Part)| -> Box<dyn Fn(f64) -> Misreading> {
+        Box::new(move |by| {
+            let change: Change = Box::new(move |v| v.iter_mut().for_each(|v| *v *= by));
+            let name = format!("takes {by} times {}", part.name);
+            Misreading::new(name, TIMES.to_owned(), RARE, How::Value(i, change))
+        })
+    };
+    parts.filter(is_number).map(of_part).collect()
+}
+
+/// Rarer than what people are known to do.
+const RARE: u32 = 27;
+
+/// What leads on from a number that something is multiplied by.
+const TIMES: &str =
+    "Where does this number come into your function, and what is it multiplied by before?";
+
 /// Changes the numbers of a value.
 type Change = Box<dyn Fn(&mut [f64]) + Sync + Send>;
 

@@ -1,6 +1,6 @@
 //! What people make of a step's value, of a power, of several things and of the rounds of a loop.
 
-use crate::explain::slip::{Among, Change, Earlier, Pick, Powers, Rounds, Sides};
+use crate::explain::slip::{Among, Change, Earlier, Order, Pick, Powers, Rounds, Sides};
 use crate::explain::way::{Axes, least};
 use std::f64::consts::{LN_2, LN_10, PI, TAU};
 
@@ -35,6 +35,15 @@ fn lengthen(v: &mut [f64], length: f64) {
     let own = v.iter().map(|v| v * v).sum::<f64>().sqrt();
     for v in v {
         *v *= length / own;
+    }
+}
+
+/// Turns a vector round that goes down along an axis.
+fn turn_up(v: &mut [f64], axis: usize) {
+    if v[axis] < 0.0 {
+        for v in v {
+            *v = -*v;
+        }
     }
 }
 
@@ -118,6 +127,9 @@ common! {
     [3] 12 "takes the absolute value of {0}": Together |v| v[0] = v[0].abs();
     [3] 12 "takes the absolute value of {1}": Together |v| v[1] = v[1].abs();
     [3] 12 "takes the absolute value of {2}": Together |v| v[2] = v[2].abs();
+    [3] 12 "turns it round where {0} is negative": Together |v| turn_up(v, 0);
+    [3] 12 "turns it round where {1} is negative": Together |v| turn_up(v, 1);
+    [3] 12 "turns it round where {2} is negative": Together |v| turn_up(v, 2);
     [3] 12 "takes the sum of the absolute values for its length": Together |v| {
         let sum = v.iter().map(|v| v.abs()).sum();
         lengthen(v, sum);
@@ -259,7 +271,38 @@ pub const ROUNDS: &[(u32, &str, Rounds)] = &[
     (11, "ends after the second of", |all| {
         all.start..all.end.min(2)
     }),
+    (12, "ends after the third of", |all| {
+        all.start..all.end.min(3)
+    }),
+    (12, "ends after the fourth of", |all| {
+        all.start..all.end.min(4)
+    }),
 ];
+
+/// In which order people go through things: how common it is, in words, and the order.
+pub const ORDERS: &[(u32, &str, Order)] = &[
+    (9, "goes through {} backwards", |n| (0..n).rev().collect()),
+    (12, "takes the first of {} last", |n| {
+        (1..n).chain(0..n.min(1)).collect()
+    }),
+    (12, "takes the last of {} first", |n| {
+        (n.saturating_sub(1)..n)
+            .chain(0..n.saturating_sub(1))
+            .collect()
+    }),
+];
+
+/// What people write for a number: how common it is, and the number. One more and one less first, twice and half of it, and all small ones.
+pub fn limits(right: usize) -> impl Iterator<Item = (u32, usize)> {
+    /// The largest of the small ones.
+    const SMALL: usize = 16;
+    let of_right = [right + 1, right.saturating_sub(1)];
+    let near = of_right.into_iter().map(|other| (9, other));
+    let multiples = [right / 2, 2 * right].map(|other| (10, other));
+    let small = (0..=SMALL).map(|other| (11, other));
+    let all = near.chain(multiples).chain(small);
+    all.filter(move |(_, other)| *other != right)
+}
 
 /// What people make of two numbers that they compare: how common it is, in words before what is decided, and the numbers.
 pub const SIDES: &[(u32, &str, Sides)] = &[

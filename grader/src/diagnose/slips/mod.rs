@@ -2,6 +2,7 @@
 //! Every exercise with steps has them for nothing.
 
 mod brackets;
+mod fitted;
 mod habits;
 mod operands;
 mod possible;
@@ -11,6 +12,7 @@ use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::Way;
 use crate::explain::{Explainer, find};
+pub use fitted::fitted;
 use possible::RANK;
 
 /// A way of an exercise with one slip.

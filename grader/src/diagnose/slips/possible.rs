@@ -1,13 +1,13 @@
 //! The slips that the steps of a way allow: what people do wrong there, in words, and how common it is.
 
 use super::Slipped;
-use super::habits::{AMONG, CHOICES, COMMON, EARLIER, NEAR, POWERS, ROUNDS, SIDES};
+use super::habits::{AMONG, CHOICES, COMMON, EARLIER, NEAR, ORDERS, POWERS, ROUNDS, SIDES, limits};
 use super::operands;
 use crate::diagnose::evidence::Evidence;
 use crate::diagnose::function::FUNCTIONS;
 use crate::explain::Explainer;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::{Asks, Choice, Decision, Loop, Operation, Step, Way};
+use crate::explain::way::{Asks, Choice, Decision, Limit, Loop, Operation, Step, Way};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -21,20 +21,26 @@ const LONG: usize = 300_000;
 
 /// What a way comes by in these questions: at each place the first.
 #[derive(Default)]
-struct Passed {
+pub(super) struct Passed {
     /// Each with what leads on.
-    steps: Vec<(Step, &'static str)>,
+    pub steps: Vec<(Step, &'static str)>,
     decisions: Vec<Decision>,
     choices: Vec<Choice>,
     operations: Vec<Operation>,
     powers: Vec<Operation>,
     loops: Vec<Loop>,
+    orders: Vec<Loop>,
+    limits: Vec<Limit>,
     /// The number of steps and decisions of the longest.
     longest: usize,
 }
 
 /// None if the way is too long.
-fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Option<Passed> {
+pub(super) fn passed(
+    explainer: &Explainer,
+    number: usize,
+    evidence: &Evidence<'_>,
+) -> Option<Passed> {
     let mut passed = Passed::default();
     let mut length = 0;
     for item in &evidence.items {
@@ -65,8 +71,15 @@ fn passed(explainer: &Explainer, number: usize, evidence: &Evidence<'_>) -> Opti
         add_new(&mut passed.operations, walked.operations);
         add_new(&mut passed.powers, walked.powers);
         add_new(&mut passed.loops, walked.loops);
+        add_new(&mut passed.orders, walked.orders);
+        add_new(&mut passed.limits, walked.limits);
     }
     Some(passed)
+}
+
+/// How long a way with a slip may be.
+pub(super) fn longest(passed: &Passed) -> usize {
+    LONGER.0 * passed.longest + LONGER.1
 }
 
 /// Adds those that are not among them.
@@ -97,7 +110,7 @@ pub(super) fn slips(
             explainer,
             way: number,
             slip,
-            most: LONGER.0 * passed.longest + LONGER.1,
+            most: longest(&passed),
         });
     };
     let has_angles = steps.iter().any(|(step, _)| step.unit == "rad");
@@ -229,6 +242,23 @@ fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Sl
             all.push((format!("{what} {name}"), FORGOTTEN, *rank, slip));
         }
     }
+    for Loop { name, place } in &passed.orders {
+        for (rank, what, of) in ORDERS {
+            let slip = Slip::Ordered(*place, *of);
+            all.push((what.replace("{}", name), ORDER, *rank, slip));
+        }
+    }
+    for Limit {
+        name,
+        place,
+        number,
+    } in &passed.limits
+    {
+        for (rank, other) in limits(*number) {
+            let name = format!("takes {other} for {name}, which is {number}");
+            all.push((name, LIMIT, rank, Slip::Limit(*place, other)));
+        }
+    }
     for Operation { name, place } in &passed.operations {
         let slip = Slip::Forgotten(*place);
         all.push((format!("forgets {name}"), FORGOTTEN, LEFT_OUT, slip));
@@ -275,6 +305,12 @@ const EACH: &str = "Print for each of them in turn what your function finds: whi
 
 /// What leads on from a choice.
 const CHOSEN: &str = "Print, each time that your function chooses, the numbers by which it does, and what it takes: which of them should it be?";
+
+/// What leads on from an order.
+const ORDER: &str = "In which order does your function go through them, and in which should it? Print their numbers as it comes by.";
+
+/// What leads on from a number that is written into the program.
+const LIMIT: &str = "Which number stands in your program there, and which in the task? Is it compared by < or by ≤?";
 
 /// What leads on from what is forgotten.
 const FORGOTTEN: &str = "Go through the first wrong case by hand, line by line, and print what each line gives: which of them is not in your program?";

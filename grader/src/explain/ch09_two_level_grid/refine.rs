@@ -11,7 +11,7 @@ use raybook_workbook::exercises::ch08_grid::GridResolution;
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 
 /// The greatest number of fine cells along an axis: what a byte holds.
-const MOST: u32 = 255;
+const MOST: usize = 255;
 
 /// The same cell by cell: each shape is compared with each fine cell.
 fn cell_by_cell(q: &RefineCell, way: &mut Way) -> RefineCellAnswer {
@@ -71,9 +71,10 @@ fn resolution(q: &RefineCell, way: &mut Way) -> Option<UVec3> {
         density: q.density,
     };
     let along = resolution.work(way);
-    let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(MOST));
+    let most = way.limit("the most fine cells along an axis", MOST) as u32;
+    let along = UVec3::new(along.x, along.y, along.z).min(UVec3::splat(most));
     let along = way.vector("the resolution, 255 at most", "", along.as_dvec3());
-    let along = along.clamp(DVec3::ONE, DVec3::splat(MOST.into()));
+    let along = along.clamp(DVec3::ONE, DVec3::splat(most.into()));
     Some(along.as_uvec3())
 }
 
@@ -162,7 +163,7 @@ impl Explained for RefineCell {
         for (answer, share, ink) in [(Some(right), 0.94, Ink::Right), (yours, 0.7, Ink::Yours)] {
             let Some(answer) = answer else { continue };
             let along = UVec3::new(answer.nx, answer.ny, answer.nz);
-            if along.min_element() == 0 || along.max_element() > MOST {
+            if along.min_element() == 0 || along.max_element() as usize > MOST {
                 continue; // nothing that could be drawn
             }
             let size = (max - min) / along.as_dvec3();

@@ -91,17 +91,29 @@ impl Explained for TwoLevelWalk {
     fn work(&self, way: &mut Way) -> Vec<u32> {
         let levels = self.levels();
         let top = levels.top;
-        let [nx, ny, _] = top.resolution.as_dvec3().to_array();
+        let [nx, ny, nz] = top.resolution.as_dvec3().to_array();
         let min = way.part("the grid's least corner", self.min.as_dvec3());
         let coarse = through(self, min.as_vec3(), top.cell, top.resolution, self.within);
         way.remark("First through the coarse cells:");
         let visits = coarse.work(way);
         let (mut enter, mut places) = (self.within.min, Vec::new());
+        let visits = way.in_order(
+            "the coarse cells, each of them from where the ray leaves the one before,",
+            visits,
+        );
+        let stay = |visit: Visit| {
+            let inside = Interval::new(enter, visit.leave);
+            enter = visit.leave;
+            (visit, inside)
+        };
+        let visits: Vec<_> = visits.into_iter().map(stay).collect();
+        let visits = way.in_order("the coarse cells on the ray's way", visits);
         for i in way.rounds("the coarse cells on the ray's way", visits.len()) {
-            let visit = &visits[i];
-            let Visit { x, y, z, leave } = visit;
+            let (visit, inside) = &visits[i];
+            let Visit { x, y, z, .. } = visit;
             let name = format!("coarse cell ({x}, {y}, {z})");
             let along = way.part("the coarse cells along x", nx);
+            way.part("the coarse cells along z", nz);
             let up = way.part("the coarse cells along y", ny);
             let [x, y, z] = [x, y, z].map(|at| f64::from(*at));
             let place = way.part("a coarse cell's place in the row", x + along * (y + up * z));
@@ -109,7 +121,6 @@ impl Explained for TwoLevelWalk {
             let resolution = cut.resolution.as_uvec3();
             if way.decides("a coarse cell is empty", resolution == UVec3::ZERO) {
                 way.remark(format!("The {name} is empty: the ray passes on."));
-                enter = *leave;
                 continue;
             }
             let first = way.number(
@@ -117,17 +128,17 @@ impl Explained for TwoLevelWalk {
                 "",
                 cut.first.into(),
             );
-            // The ray is in the coarse cell from where it left the one before.
-            let inside = Interval::new(enter, *leave);
             let whole = top.only(visit.cell());
             let low = way.part("the least corner of a coarse cell", whole.min.as_dvec3());
             let size = whole.cell / resolution.as_vec3();
-            let walk = through(self, low.as_vec3(), size, resolution, inside);
+            let walk = through(self, low.as_vec3(), size, resolution, *inside);
             let cells = way.silently(|way| walk.work(way));
+            let cells = way.in_order("a coarse cell's fine cells on the ray's way", cells);
             let count = cells.len();
             for i in way.rounds("a coarse cell's fine cells on the ray's way", count) {
                 let Visit { x, y, z, .. } = cells[i];
                 let along = way.part("nx", f64::from(resolution.x));
+                way.part("nz", f64::from(resolution.z));
                 let up = way.part("ny", f64::from(resolution.y));
                 let [x_of, y_of, z_of] = [x, y, z].map(f64::from);
                 let index = way.part("x + nx·(y + ny·z)", x_of + along * (y_of + up * z_of));
@@ -138,7 +149,6 @@ impl Explained for TwoLevelWalk {
                 );
                 places.push(place as u32);
             }
-            enter = *leave;
         }
         places
     }

@@ -85,6 +85,10 @@ impl Explained for OctreeBuild {
             way.remark("There are no shapes: the root is an empty leaf.");
         }
         let opening = way.part("opening", f64::from(self.opening));
+        let few = way.limit(
+            "the number of shapes up to which a cell stays a leaf, whatever a cut costs",
+            0,
+        );
         let price = way.part("the price ¼ of a shape in a child", 0.25);
         while let Some(growing) = to_do.pop() {
             let Growing {
@@ -111,7 +115,8 @@ impl Explained for OctreeBuild {
             let below = way.number("Σ nᵢ, those of its children", "", below.into());
             let cost = way.number("opening + ¼ Σ nᵢ", "", opening + price * below);
             let named = way.part("Σ nᵢ/n, the copies that a cut makes", below / n);
-            let is_dear = way.is_at_most("a cut costs no less than the leaf", n, cost);
+            let is_dear =
+                way.is_at_most("a cut costs no less than the leaf", n, cost) || shapes.len() <= few;
             let is_many = way.is_less("a cut makes too many copies", copies, named);
             let is_deep = way.is_at_most(
                 "the tree is as deep as it may be",
@@ -134,18 +139,20 @@ impl Explained for OctreeBuild {
                 "That is below n: it is cut into the nodes {first} to {}.",
                 first + 7
             ));
+            let number = way.part("the number of a cell's first child", first as f64);
             tree.nodes[node] = NodeRow {
                 inner: 1,
-                first: first as u32,
+                first: number as u32,
                 count: 0,
             };
             tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
             let left = left_to_a_child(way, copies, [below, n]);
+            let places = way.in_order("the places of a cell's children", (0..8).collect());
             for child in way.rounds("a cell's children", 8).rev() {
                 let inside = shapes.iter().zip(&reach);
                 let inside = inside.filter(|(_, bits)| *bits >> child & 1 != 0);
                 to_do.push(Growing {
-                    node: first + child,
+                    node: first + places[child],
                     cell: cells[child],
                     shapes: inside.map(|(shape, _)| *shape).collect(),
                     depth: depth + 1,

@@ -81,6 +81,7 @@ fn below(q: &OctreeWalk, way: &mut Way, node: usize, cell: Aabb, found: &mut Vec
     });
     let mut met: Vec<_> = met.collect();
     met.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let met = way.in_order("a node's children that the ray passes through", met);
     for i in way.rounds("a node's children that the ray passes through", met.len()) {
         let (_, child, cell) = met[i];
         if child > node {

@@ -9,9 +9,48 @@ use crate::explain::way::Way;
 use glam::{DVec2, Vec3};
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
+use std::collections::VecDeque;
 
-/// Puts a node's subtree over some boxes into the tree.
-fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, some: &[u32]) {
+/// A node that is still to be cut, or not: its number, and the boxes below it.
+type Growing = (usize, Vec<u32>);
+
+/// The tree over all boxes, depth first, the left child before the right one; or level by level.
+fn grown(q: &BvhBuild, way: &mut Way, by_levels: bool) -> BvhBuildAnswer {
+    let mut tree = BvhBuildAnswer {
+        nodes: Vec::new(),
+        order: Vec::new(),
+    };
+    if q.boxes.is_empty() {
+        way.remark("There are no boxes: the tree has no nodes.");
+        return tree;
+    }
+    tree.nodes.push(NodeRow {
+        min: Vec3::ZERO,
+        max: Vec3::ZERO,
+        first: 0,
+        count: 0,
+    });
+    let all: Vec<u32> = (0..q.boxes.len() as u32).collect();
+    let mut to_do = VecDeque::from([(0, all)]);
+    while let Some((node, some)) = to_do.pop_front() {
+        let children = grow(q, way, &mut tree, node, &some).into_iter().flatten();
+        if by_levels {
+            to_do.extend(children);
+        } else {
+            children.rev().for_each(|child| to_do.push_front(child));
+        }
+    }
+    tree
+}
+
+/// Cuts a node over some boxes, or makes it a leaf: the children that it gets.
+fn grow(
+    q: &BvhBuild,
+    way: &mut Way,
+    tree: &mut BvhBuildAnswer,
+    node: usize,
+    some: &[u32],
+) -> Option<[Growing; 2]> {
     let n = some.len();
     // Until now a child has its parent's box.
     let NodeRow { min, max, .. } = tree.nodes[node];
@@ -36,19 +75,26 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
     let saves = way.is_less("a cut is cheaper than the leaf", branch + sides, leaf);
     let most = way.part("most", q.most.into());
     let is_full = way.is_less("a leaf would have more boxes than `most`", most, n as f64);
-    let Some(cut) = cut.filter(|_| saves || is_full) else {
+    let few = way.limit(
+        "the number of boxes up to which a node stays a leaf, whatever a cut costs",
+        1,
+    );
+    let pays = saves && n > few;
+    let Some(cut) = cut.filter(|_| pays || is_full) else {
         way.remark("A leaf: a cut would cost the branch, and save no more.");
+        let first = way.part("the place of a leaf's first box", tree.order.len() as f64);
+        let count = way.part("the number of a leaf's boxes", n as f64);
         tree.nodes[node] = NodeRow {
             min,
             max,
-            first: tree.order.len() as u32,
-            count: n as u32,
+            first: first as u32,
+            count: count as u32,
         };
         let begin = tree.order.len() as u32;
         let places = (begin..begin + n as u32).collect();
         let numbers = "to write the boxes' own numbers into the order, not places in it";
         tree.order.extend(way.made(numbers, places, some.to_vec()));
-        return;
+        return None;
     };
     let first = tree.nodes.len();
     way.remark(format!(
@@ -72,29 +118,15 @@ fn grow(q: &BvhBuild, way: &mut Way, tree: &mut BvhBuildAnswer, node: usize, som
         count: 0,
     };
     tree.nodes.extend([child.clone(), child]);
-    grow(q, way, tree, first, &cut.left);
-    grow(q, way, tree, first + 1, &cut.right);
+    Some([(first, cut.left), (first + 1, cut.right)])
 }
 
 impl Explained for BvhBuild {
+    const WAYS: &'static [fn(&Self, &mut Way) -> BvhBuildAnswer] =
+        &[Self::work, |asked, way| grown(asked, way, true)];
+
     fn work(&self, way: &mut Way) -> BvhBuildAnswer {
-        let mut tree = BvhBuildAnswer {
-            nodes: Vec::new(),
-            order: Vec::new(),
-        };
-        if self.boxes.is_empty() {
-            way.remark("There are no boxes: the tree has no nodes.");
-            return tree;
-        }
-        tree.nodes.push(NodeRow {
-            min: Vec3::ZERO,
-            max: Vec3::ZERO,
-            first: 0,
-            count: 0,
-        });
-        let all: Vec<_> = (0..self.boxes.len() as u32).collect();
-        grow(self, way, &mut tree, 0, &all);
-        tree
+        grown(self, way, false)
     }
 
     fn draw(&self, right: &BvhBuildAnswer, yours: Option<&BvhBuildAnswer>) -> Option<Diagram> {

@@ -35,7 +35,10 @@ fn from_below(q: &SahCost, way: &mut Way) -> f32 {
         let first = row.first as usize;
         costs[i] = if row.count > 0 {
             shape * f64::from(row.count)
-        } else if let ([left, right], true) = ([first, first + 1], first > i) {
+        } else if first > i {
+            let second = way.part("the number of a branch's second child", first as f64 + 1.0);
+            let right = (second as usize).min(costs.len() - 1);
+            let left = first.min(right);
             let of = way.part("the area of a branch", areas[i]);
             let [of_left, of_right] = [left, right].map(|child| areas[child] / of);
             let of_left = way.part("the share of a branch's left child", of_left);

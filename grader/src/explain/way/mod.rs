@@ -11,7 +11,7 @@ use std::borrow::Cow;
 use std::ops::Range;
 use step::Colour;
 pub use step::{Axes, Step, Value, words};
-pub use walked::{Asks, Choice, Decision, Loop, Operation, Walked};
+pub use walked::{Asks, Choice, Decision, Limit, Loop, Operation, Walked};
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
 #[derive(Debug, Default)]
@@ -23,6 +23,8 @@ pub struct Way {
     operations: Vec<Operation>,
     powers: Vec<Operation>,
     loops: Vec<Loop>,
+    orders: Vec<Loop>,
+    limits: Vec<Limit>,
     slips: [Option<Slip>; 2],
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
@@ -195,6 +197,44 @@ impl Way {
         })
     }
 
+    /// Several things, "the children", in the order in which they are gone through.
+    #[track_caller]
+    pub fn in_order<T>(&mut self, name: &'static str, things: Vec<T>) -> Vec<T> {
+        let place = Place::here();
+        self.count();
+        if things.len() > 1 && !self.orders.iter().any(|one| one.place == place) {
+            self.orders.push(Loop { name, place });
+        }
+        let slip = self.slips.iter().flatten().find_map(|slip| match slip {
+            Slip::Ordered(at, of) if *at == place => Some(of),
+            _ => None,
+        });
+        let Some(of) = slip else { return things };
+        let order = of(things.len());
+        let mut things: Vec<_> = things.into_iter().map(Some).collect();
+        let taken = order.into_iter().filter_map(|i| things.get_mut(i)?.take());
+        taken.collect()
+    }
+
+    /// A whole number that is no part of the question, but written into the program: "the most children of a branch".
+    #[track_caller]
+    pub fn limit(&mut self, name: &'static str, number: usize) -> usize {
+        let place = Place::here();
+        self.count();
+        if !self.limits.iter().any(|one| one.place == place) {
+            self.limits.push(Limit {
+                name,
+                place,
+                number,
+            });
+        }
+        let slip = self.slips.iter().flatten().find_map(|slip| match slip {
+            Slip::Limit(at, other) if *at == place => Some(*other),
+            _ => None,
+        });
+        slip.unwrap_or(number)
+    }
+
     /// Calculates what is not told.
     pub fn silently<R>(&mut self, calculate: impl FnOnce(&mut Self) -> R) -> R {
         let told = self.steps.len();
@@ -262,6 +302,8 @@ impl Way {
             operations: self.operations,
             powers: self.powers,
             loops: self.loops,
+            orders: self.orders,
+            limits: self.limits,
             length: self.calculated,
         }
     }
@@ -303,6 +345,10 @@ impl Way {
                 let each = value.iter().zip(summand.iter().zip(&factor));
                 let each = each.map(|(v, (summand, factor))| bracket.of(*v, *summand, *factor));
                 v.with(&each.collect::<Vec<_>>())
+            }
+            Slip::Scaled(at, by) if at == place => {
+                let value: Vec<_> = v.numbers().iter().map(|v| by * v).collect();
+                v.with(&value)
             }
             Slip::Mix { at, of, how, only } if at == place => {
                 self.mixed(v, of, only, |v, other| how.of(v, other))

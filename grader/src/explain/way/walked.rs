@@ -1,4 +1,4 @@
-//! What a way went through: steps, decisions, choices, operations and loops.
+//! What a way went through: steps, decisions, choices, operations, loops and limits.
 
 use super::step::Step;
 use crate::explain::slip::Place;
@@ -20,6 +20,10 @@ pub struct Walked {
     pub powers: Vec<Operation>,
     /// The loops: at each place the first.
     pub loops: Vec<Loop>,
+    /// What is gone through in an order: at each place the first.
+    pub orders: Vec<Loop>,
+    /// The numbers that are written into the program: at each place the first.
+    pub limits: Vec<Limit>,
     /// The number of steps and decisions, told or not, at all places.
     pub length: usize,
 }
@@ -77,4 +81,15 @@ pub struct Loop {
     pub name: &'static str,
     /// Where it begins.
     pub place: Place,
+}
+
+/// A whole number that is written into the program.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Limit {
+    /// What it limits: "the most children of a branch".
+    pub name: &'static str,
+    /// Where it is taken.
+    pub place: Place,
+    /// The right one.
+    pub number: usize,
 }

@@ -12,7 +12,7 @@
 //! ```
 
 use crate::camera::Camera;
-use crate::math::dir3::Dir3;
+use crate::math::{dir3::Dir3, ray::Ray};
 use crate::render::film::Film;
 use crate::shape::Surface;
 use glam::{Vec2, vec2};
@@ -36,18 +36,20 @@ impl Cone {
         spread: 0.0,
     };
 
-    /// The cone of one of N samples of a pixel in the film's middle: its angle is that of the pixel over √N, because the other
-    /// samples see the rest of the pixel; at least an eighth of the pixel's angle.
+    /// The cone of one of N samples of a pixel in the film's middle: its width and its angle are those of the pixel over √N, because
+    /// the other samples see the rest of the pixel; at least an eighth of the pixel's. Where rays start at one point, the width
+    /// is 0; where they are parallel, the angle.
     pub fn of_sample(camera: &dyn Camera, film: &Film) -> Self {
-        let toward = |pixels: Vec2| {
+        let ray = |pixels: Vec2| {
             let place = 0.5 + pixels / vec2(film.width as f32, film.height as f32);
-            *camera.ray(place, Vec2::splat(0.5)).direction
+            camera.ray(place, Vec2::splat(0.5))
         };
-        let angle = |pixels: Vec2| toward(-0.5 * pixels).distance(toward(0.5 * pixels));
-        let pixel = (angle(Vec2::X) * angle(Vec2::Y)).sqrt();
+        let [across, down] = [Vec2::X, Vec2::Y].map(|by| [ray(-0.5 * by), ray(0.5 * by)]);
+        let part = (film.samples as f32).sqrt().recip().max(0.125);
+        let of_sample = |apart: fn([Ray; 2]) -> f32| part * (apart(across) * apart(down)).sqrt();
         Self {
-            width: 0.0,
-            spread: pixel * (film.samples as f32).sqrt().recip().max(0.125),
+            width: of_sample(|[a, b]| a.origin.distance(b.origin)),
+            spread: of_sample(|[a, b]| a.direction.distance(*b.direction)),
         }
     }
 

@@ -152,16 +152,16 @@ fn every_error_says_where_what_and_what_to_do() {
     for (text, expected) in TEXTS {
         let got = error(text);
         if got != *expected {
-            wrong.push(got);
+            wrong.push(format!("got {got}\nnot {expected}"));
         }
     }
     for (text, expected) in AFTER_A_CAMERA {
         let got = error(&format!("{CAMERA}{text}"));
         if got != format!("test.toml:{expected}") {
-            wrong.push(got);
+            wrong.push(format!("got {got}\nnot test.toml:{expected}"));
         }
     }
-    assert!(wrong.is_empty(), "{wrong:#?}");
+    assert!(wrong.is_empty(), "{}", wrong.join("\n\n"));
 }
 
 #[test]

@@ -16,9 +16,22 @@ fn gallery() -> Vec<String> {
         .map(|path| fs::read_to_string(path).expect("a text"))
         .collect();
     texts.push(OTHERS.to_owned());
+    texts.extend(CAMERAS.map(|camera| format!("{camera}{BALL}")));
     texts.sort();
     texts
 }
+
+/// Cameras that neither the gallery nor [`OTHERS`] has: a scene has one.
+const CAMERAS: [&str; 2] = [
+    "[camera]\nkind = \"panorama\"\nfrom_m = [0, 1, 4]\nto_m = [0, 0, 0]\n",
+    "[camera]\nkind = \"fisheye\"\nfrom_m = [0, 1, 4]\nto_m = [0, 0, 0]\nprojection = \"equisolid\"\nview_degrees = 200\n",
+];
+
+/// What they look at.
+const BALL: &str = "[picture]\nwidth = 8\nheight = 8\n
+[[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 1\nmaterial = { kind = \"matte\", colour = 0.5 }\n
+[[lights]]\nkind = \"directional\"\ntoward = [1, 1, 1]\nirradiance = 2\n
+";
 
 /// What the gallery has none of.
 const OTHERS: &str = "ambient = 0.2

@@ -55,6 +55,23 @@ fn near(got: f32, expected: f32, what: &str) {
     );
 }
 
+/// A camera whose rays are parallel, 3 m across and 2 m down.
+struct Parallel;
+
+impl Camera for Parallel {
+    fn ray(&self, film: Vec2, _lens: Vec2) -> Ray {
+        let place = vec3(3.0 * (film.x - 0.5), 2.0 * (0.5 - film.y), 0.0);
+        Ray::new(place, -Dir3::Z)
+    }
+}
+
+#[test]
+fn of_parallel_rays_a_pixel_is_as_wide_at_any_distance() {
+    let cone = Cone::of_sample(&Parallel, &Film::new(30, 20, 4));
+    near(cone.width, 0.1 / 2.0, "one of four samples");
+    assert_eq!(cone.after(50.0), cone);
+}
+
 #[test]
 fn a_texture_is_as_wide_as_the_pixel_that_sees_it() {
     for z in [0.5, 2.0, 30.0] {

@@ -235,12 +235,11 @@ pub fn slip_of_structure(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let (whole, in_some): (Vec<_>, Vec<_>) = found
         .into_iter()
         .partition(|one| one.score.contradicted == 0);
-    let told = match best(whole) {
-        Some(found) => found.told(&short),
-        None => {
-            let (found, words) = limited_among(&short, in_some)?;
-            found.told_only(&short, Some(&format!("where {words}")))
-        }
+    let told = if let Some(found) = best(whole) {
+        found.told(&short)
+    } else {
+        let (found, words) = limited_among(&short, in_some)?;
+        found.told_only(&short, Some(&format!("where {words}")))
     };
     Some(Diagnosis {
         certain: false,

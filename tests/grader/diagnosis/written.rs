@@ -168,7 +168,9 @@ fn a_vector_that_is_turned_upwards_is_named() {
             let [p0, p1, p2] = corners.map(|i| points[i]);
             let normal = (p1 - p0).cross(p2 - p0);
             let up = if normal.z < 0.0 { -normal } else { normal };
-            corners.iter().for_each(|i| sums[*i] += up);
+            for i in corners {
+                sums[i] += up;
+            }
         }
         let normals = sums.iter().map(|sum| sum.normalize_or(DVec3::Y).to_array());
         Some([vec![count as f64], normals.flatten().collect()].concat())

@@ -30,13 +30,7 @@ struct Distance {
 
 impl Distance {
     fn norm(&self) -> f64 {
-        length(&self.mean)
-    }
-
-    /// Whether it is small in each case, and not only on average, beside another one: so it is of a mistake itself, whatever points are
-    /// sampled. Of hundreds of slips some are right on average.
-    fn is_steady(&self, whole: &Self) -> bool {
-        length(&self.error) < SURE * whole.norm()
+        self.mean.iter().map(|v| v * v).sum::<f64>().sqrt()
     }
 
     /// Whether nothing is left of a distance but chance.
@@ -49,10 +43,6 @@ impl Distance {
             .sqrt();
         self.norm() <= REST * whole.norm() && self.norm() <= (REST * 0.5 * whole.norm()).max(errors)
     }
-}
-
-fn length(numbers: &[f64]) -> f64 {
-    numbers.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
 /// The traits of a student's answers.
@@ -129,9 +119,6 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let whole = distance(&|i| right[i].clone())?;
     let considered = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
         let rest = distance(answers).filter(|rest| rest.explains(&whole))?;
-        if rank == SLIP && !rest.is_steady(&whole) {
-            return None;
-        }
         Some((rest.norm(), rank, name.to_owned(), hint.to_owned()))
     };
     let mut found: Vec<(f64, u32, String, String)> = Vec::new();
@@ -168,7 +155,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     }
     let nearest = found.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
     // What is as near as the nearest, but for chance: the commonest first.
-    let errors = length(&whole.error);
+    let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();
     let near = |one: &&(f64, u32, String, String)| one.0 <= 1.3 * nearest + 0.5 * errors + 1e-6;
     let mut near: Vec<_> = found.iter().filter(near).collect();
     near.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));

@@ -135,7 +135,7 @@ fn every_step_matters() {
                         slips.push((step.name.into_owned(), Slip::Value(step.place, other)));
                     }
                 }
-                for decision in walked.decisions {
+                for decision in walked.met.decisions {
                     if !seen.contains(&decision.place) {
                         seen.push(decision.place);
                         let other = Slip::Decision(decision.place, |holds| !holds);

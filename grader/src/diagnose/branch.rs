@@ -50,7 +50,7 @@ pub fn search(
         attempt(|| {
             let mut way = Way::default();
             (explainer.work)(0, &question, &mut way);
-            let decisions = way.end().decisions;
+            let decisions = way.end().met.decisions;
             Walk { decisions, right }
         })
     };

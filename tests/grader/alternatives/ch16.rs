@@ -2,6 +2,7 @@
 
 use crate::alternatives::student::{Alternative, Answer, Question};
 use glam::{DVec2, DVec3, dvec2};
+use raybook_grader::cases;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 pub const ALTERNATIVES: &[Alternative] = &[
@@ -66,6 +67,21 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
 ];
+
+/// Of 1024 samples, none, one or two meet its shadow, and all of the light is seen between the points of the judge's lattice.
+#[test]
+fn a_ball_that_hides_between_the_points_of_a_lattice_may_be_met_by_chance() {
+    let examiner = cases::find("visible_fraction").expect("it exists");
+    let judged = |radius: f64, seen: f64| {
+        let text = format!("-1 4 -1  2 0 0  0 0 2  1  0 0 0  1  0 2 0 {radius}  1024");
+        let question = examiner.asked().read_question(&text).expect("a question");
+        examiner.compare(&question, &[1.0, 1.0], &[1.0, seen / 1024.0])
+    };
+    for seen in [1022.0, 1023.0, 1024.0] {
+        assert_eq!(judged(0.015, seen), Ok(()), "{seen}");
+    }
+    assert!(judged(0.9, 1.0).is_err(), "the ball hides all of the light");
+}
 
 /// Knuth's linear congruential generator (MMIX).
 fn random(state: &mut u64) -> f64 {

@@ -103,7 +103,8 @@ fn a_class_is_graded() {
         assert_eq!(
             course.standing(student, "camera_ray"),
             "not started",
-            "{student}"
+            "{student}: {:#}",
+            course.student(student)
         );
     }
     for (student, standing) in [

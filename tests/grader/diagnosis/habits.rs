@@ -1,14 +1,7 @@
 //! Slips that people make at any comparison, loop or operation are named in every exercise whose steps have one.
 
-use super::operations::{diagnosed, found};
+use super::operations::{diagnosed, found, right};
 use glam::{DVec3, UVec3};
-use raybook_grader::cases;
-
-/// The right answer to a question.
-fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let examiner = cases::find(exercise).expect("the exercise exists");
-    (examiner.asked().call)(question)
-}
 
 #[test]
 fn less_for_less_or_equal_is_named() {

@@ -1,15 +1,8 @@
 //! Slips in lists: too short, wrong at an end, one of several alike, numbers of the element before; and what is wrong for some questions
 //! only.
 
-use super::operations::diagnosed;
-use raybook_grader::cases;
+use super::operations::{diagnosed, right};
 use raybook_grader::diagnose::Diagnosis;
-
-/// The right answer.
-fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let examiner = cases::find(exercise).expect("it exists");
-    (examiner.asked().call)(question)
-}
 
 /// The diagnosis of right lists of elements of this many numbers, changed.
 fn changed(exercise: &str, size: usize, change: impl Fn(&[f64], &mut Vec<Vec<f64>>)) -> Diagnosis {

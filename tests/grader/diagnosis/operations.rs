@@ -4,6 +4,8 @@
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Diagnosis, diagnose};
 use raybook_grader::examine::visible_rng;
+use raybook_grader::explain::find;
+use raybook_grader::explain::way::Way;
 use raybook_workbook::row;
 
 /// The diagnosis of a function from the numbers of a question to those of an answer; `None` gives no answer.
@@ -29,6 +31,18 @@ pub fn found(exercise: &str, function: impl Fn(&[f64]) -> Option<Vec<f64>>) -> O
         })
         .collect();
     diagnose(examiner, &cases, &answers)
+}
+
+/// The right answer to a question.
+pub fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
+    let examiner = cases::find(exercise).expect("the exercise exists");
+    (examiner.asked().call)(question)
+}
+
+/// The same on the way that is explained, in double precision.
+pub fn told(exercise: &str, question: &[f64]) -> Vec<f64> {
+    let explainer = find(exercise).expect("it has steps");
+    (explainer.work)(0, question, &mut Way::default())
 }
 
 /// Fresnel's equations; `term` is n₂ cos θ₁ in the numerator of Rp.

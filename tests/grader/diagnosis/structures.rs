@@ -1,19 +1,11 @@
 //! Slips in structures, of which many answers are right.
 
-use super::operations::diagnosed;
-use raybook_grader::explain::find;
-use raybook_grader::explain::way::Way;
-
-/// The answer to a question on the way that is explained.
-fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let explainer = find(exercise).expect("it has steps");
-    (explainer.work)(0, question, &mut Way::default())
-}
+use super::operations::{diagnosed, told};
 
 #[test]
 fn places_for_numbers_in_the_order_of_a_tree_are_named() {
     let found = diagnosed("bvh_build", |q| {
-        let mut tree = right("bvh_build", q);
+        let mut tree = told("bvh_build", q);
         let boxes = q[1] as usize;
         let order = tree.len() - boxes..;
         (0..)
@@ -30,7 +22,7 @@ fn a_condition_that_is_not_asked_is_told_before_a_value_with_which_it_never_hold
     let found = diagnosed("bvh_build", |q| {
         let mut free = q.to_vec();
         free[0] = 6.0;
-        Some(right("bvh_build", &free))
+        Some(told("bvh_build", &free))
     });
     let told = "never takes it into account when a leaf would have more boxes than `most`";
     assert_eq!(found.name, told);
@@ -44,7 +36,7 @@ fn an_axis_along_which_nothing_is_asked_is_named() {
         for shape in shapes.chunks_exact_mut(6) {
             (shape[2], shape[5]) = (root[2], root[5]);
         }
-        Some(right("octree_build", &flat))
+        Some(told("octree_build", &flat))
     });
     let told = "leaves out the last of the axes along which a shape reaches a child";
     assert_eq!(found.name, told);
@@ -55,7 +47,7 @@ fn an_end_that_is_ignored_is_named() {
     let found = diagnosed("bvh_closest", |q| {
         let mut endless = q.to_vec();
         endless[7] = f64::INFINITY;
-        Some(right("bvh_closest", &endless))
+        Some(told("bvh_closest", &endless))
     });
     let told = "forgets to end the search at within.max";
     assert_eq!(found.name, told);

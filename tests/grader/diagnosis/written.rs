@@ -1,26 +1,12 @@
 //! Numbers that are written into a program, the order of things, a value times a number; and what all answers tell together.
 
-use super::operations::diagnosed;
+use super::operations::{diagnosed, right, told};
 use glam::DVec3;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, visible_rng};
-use raybook_grader::explain::find;
-use raybook_grader::explain::way::Way;
 use raybook_grader::together::Bounds;
 use std::collections::VecDeque;
 use std::f64::consts::TAU;
-
-/// The right answer to a question.
-fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let examiner = cases::find(exercise).expect("the exercise exists");
-    (examiner.asked().call)(question)
-}
-
-/// The same on the way that is told, in double precision.
-fn told(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let explainer = find(exercise).expect("it has steps");
-    (explainer.work)(0, question, &mut Way::default())
-}
 
 /// A binary tree made wide, with this number of children at most.
 fn collapsed(q: &[f64], most: usize) -> Vec<f64> {

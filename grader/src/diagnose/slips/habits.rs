@@ -293,15 +293,17 @@ pub const ORDERS: &[(u32, &str, Order)] = &[
 ];
 
 /// What people write for a number: how common it is, and the number. One more and one less first, twice and half of it, and all small ones.
-pub fn limits(right: usize) -> impl Iterator<Item = (u32, usize)> {
+pub fn limits(right: usize) -> Vec<(u32, usize)> {
     /// The largest of the small ones.
     const SMALL: usize = 16;
-    let of_right = [right + 1, right.saturating_sub(1)];
-    let near = of_right.into_iter().map(|other| (9, other));
+    let near = [right + 1, right.saturating_sub(1)].map(|other| (9, other));
     let multiples = [right / 2, 2 * right].map(|other| (10, other));
     let small = (0..=SMALL).map(|other| (11, other));
-    let all = near.chain(multiples).chain(small);
-    all.filter(move |(_, other)| *other != right)
+    let mut all: Vec<_> = near.into_iter().chain(multiples).chain(small).collect();
+    all.sort_by_key(|(rank, other)| (*other, *rank));
+    all.dedup_by_key(|(_, other)| *other);
+    all.retain(|(_, other)| *other != right);
+    all
 }
 
 /// What people make of two numbers that they compare: how common it is, in words before what is decided, and the numbers.

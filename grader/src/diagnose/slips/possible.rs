@@ -7,7 +7,7 @@ use crate::diagnose::evidence::Evidence;
 use crate::diagnose::function::FUNCTIONS;
 use crate::explain::Explainer;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::{Asks, Choice, Decision, Limit, Loop, Operation, Step, Way};
+use crate::explain::way::{Asks, Choice, Limit, Met, Spot, Step, Way};
 use std::borrow::Cow;
 
 /// A slip is told only if nothing simpler explains the answers as well.
@@ -24,13 +24,7 @@ const LONG: usize = 300_000;
 pub(super) struct Passed {
     /// Each with what leads on.
     pub steps: Vec<(Step, &'static str)>,
-    decisions: Vec<Decision>,
-    choices: Vec<Choice>,
-    operations: Vec<Operation>,
-    powers: Vec<Operation>,
-    loops: Vec<Loop>,
-    orders: Vec<Loop>,
-    limits: Vec<Limit>,
+    met: Met,
     /// The number of steps and decisions of the longest.
     longest: usize,
 }
@@ -61,18 +55,7 @@ pub(super) fn passed(
                 passed.steps.push((step, hint));
             }
         }
-        for decision in walked.decisions {
-            let mut known = passed.decisions.iter();
-            if !known.any(|one| one.place == decision.place) {
-                passed.decisions.push(decision);
-            }
-        }
-        add_new(&mut passed.choices, walked.choices);
-        add_new(&mut passed.operations, walked.operations);
-        add_new(&mut passed.powers, walked.powers);
-        add_new(&mut passed.loops, walked.loops);
-        add_new(&mut passed.orders, walked.orders);
-        add_new(&mut passed.limits, walked.limits);
+        passed.met.add(walked.met);
     }
     Some(passed)
 }
@@ -80,15 +63,6 @@ pub(super) fn passed(
 /// How long a way with a slip may be.
 pub(super) fn longest(passed: &Passed) -> usize {
     LONGER.0 * passed.longest + LONGER.1
-}
-
-/// Adds those that are not among them.
-fn add_new<T: PartialEq>(all: &mut Vec<T>, more: Vec<T>) {
-    for one in more {
-        if !all.contains(&one) {
-            all.push(one);
-        }
-    }
 }
 
 /// Every slip that the steps of one way allow in these questions.
@@ -160,7 +134,7 @@ pub(super) fn slips(
             }
         }
     }
-    for Choice { name, place, count } in &passed.choices {
+    for Choice { name, place, count } in &passed.met.choices {
         let other = steps.iter().filter(|(of, _)| of.value.len() == *count);
         for (of, _) in other {
             let name = format!("goes by “{}” when it chooses {name}", short(of));
@@ -186,17 +160,17 @@ pub(super) fn slips(
         );
         add(name, hint, operation.rank, operation.slip);
     }
-    for (name, hint, rank, slip) in branches(&passed, evidence.wrong == 1) {
+    for (name, hint, rank, slip) in branches(&passed.met, evidence.wrong == 1) {
         add(name, hint, rank, slip);
     }
     all
 }
 
 /// The slips in decisions, loops and operations: each with what it does, as a verb, what leads on, and how common it is.
-fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Slip)> {
+fn branches(met: &Met, is_one: bool) -> Vec<(String, &'static str, u32, Slip)> {
     let mut all = Vec::new();
     let rarest_side = if is_one { LAST_SIDE } else { u32::MAX };
-    for one in &passed.decisions {
+    for one in &met.decisions {
         let (name, place) = (one.name, one.place);
         let mut add = |name, hint, rank, slip| all.push((name, hint, rank, slip));
         let mut turned = |name, rank, of| add(name, CONDITION, rank, Slip::Decision(place, of));
@@ -230,19 +204,19 @@ fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Sl
             }
         }
     }
-    for Choice { name, place, .. } in &passed.choices {
+    for Choice { name, place, .. } in &met.choices {
         for (rank, what, pick) in CHOICES {
             let name = format!("{what} when it chooses {name}");
             all.push((name, CHOSEN, *rank, Slip::Choice(*place, *pick)));
         }
     }
-    for Loop { name, place } in &passed.loops {
+    for Spot { name, place } in &met.loops {
         for (rank, what, of) in ROUNDS {
             let slip = Slip::Rounds(*place, *of);
             all.push((format!("{what} {name}"), FORGOTTEN, *rank, slip));
         }
     }
-    for Loop { name, place } in &passed.orders {
+    for Spot { name, place } in &met.orders {
         for (rank, what, of) in ORDERS {
             let slip = Slip::Ordered(*place, *of);
             all.push((what.replace("{}", name), ORDER, *rank, slip));
@@ -252,18 +226,18 @@ fn branches(passed: &Passed, is_one: bool) -> Vec<(String, &'static str, u32, Sl
         name,
         place,
         number,
-    } in &passed.limits
+    } in &met.limits
     {
         for (rank, other) in limits(*number) {
             let name = format!("takes {other} for {name}, which is {number}");
             all.push((name, LIMIT, rank, Slip::Limit(*place, other)));
         }
     }
-    for Operation { name, place } in &passed.operations {
+    for Spot { name, place } in &met.operations {
         let slip = Slip::Forgotten(*place);
         all.push((format!("forgets {name}"), FORGOTTEN, LEFT_OUT, slip));
     }
-    for Operation { name, place } in &passed.powers {
+    for Spot { name, place } in &met.powers {
         for (rank, what, of) in POWERS {
             let slip = Slip::Power(*place, *of);
             let name = format!("goes wrong at the step “{name}”: {what}");

@@ -112,7 +112,7 @@ fn ways_to_none(evidence: &Evidence<'_>) -> Option<String> {
         let last = attempt(|| {
             let mut way = Way::default();
             (explainer.work)(0, &item.question, &mut way);
-            way.end().decisions.pop()
+            way.end().met.decisions.pop()
         });
         let Some(last) = last.flatten() else { continue };
         let (end, name) = (

@@ -41,7 +41,7 @@ impl Way {
         let holds = among.fold(holds, |_, holds| holds);
         let at = self.decision(name, place);
         if each.len() > 1 {
-            self.decisions[at].asks = Asks::Several;
+            self.met.decisions[at].asks = Asks::Several;
         }
         self.settle(at, holds, None)
     }
@@ -51,9 +51,9 @@ impl Way {
     pub fn least(&mut self, name: &'static str, of: &[f64]) -> usize {
         let place = Place::here();
         self.count();
-        if of.len() > 1 && !self.choices.iter().any(|one| one.place == place) {
+        if of.len() > 1 && !self.met.choices.iter().any(|one| one.place == place) {
             let count = of.len();
-            self.choices.push(Choice { name, place, count });
+            self.met.choices.push(Choice { name, place, count });
         }
         let slipped = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Choice(at, pick) if *at == place && !of.is_empty() => Some(pick(of)),
@@ -84,22 +84,22 @@ impl Way {
     /// The number of the decision at a place, which is new when the way comes by it first.
     fn decision(&mut self, name: &'static str, place: Place) -> usize {
         self.count();
-        let at = self.decisions.iter().position(|one| one.place == place);
+        let at = self.met.decisions.iter().position(|one| one.place == place);
         at.unwrap_or_else(|| {
-            self.decisions.push(Decision {
+            self.met.decisions.push(Decision {
                 name,
                 place,
                 held: false,
                 failed: false,
                 asks: Asks::One,
             });
-            self.decisions.len() - 1
+            self.met.decisions.len() - 1
         })
     }
 
     /// What comes of a decision.
     fn settle(&mut self, at: usize, holds: bool, of: Option<Comparison>) -> bool {
-        let decision = &mut self.decisions[at];
+        let decision = &mut self.met.decisions[at];
         decision.held |= holds;
         decision.failed |= !holds;
         if of.is_some() {

@@ -11,20 +11,14 @@ use std::borrow::Cow;
 use std::ops::Range;
 use step::Colour;
 pub use step::{Axes, Step, Value, words};
-pub use walked::{Asks, Choice, Decision, Limit, Loop, Operation, Walked};
+pub use walked::{Asks, Choice, Decision, Limit, Met, Spot, Walked};
 
 /// The steps up to now. Each method writes a value down and gives it back, so that what is told is what is calculated with.
 #[derive(Debug, Default)]
 pub struct Way {
     steps: Vec<Step>,
     untold: Vec<Step>,
-    decisions: Vec<Decision>,
-    choices: Vec<Choice>,
-    operations: Vec<Operation>,
-    powers: Vec<Operation>,
-    loops: Vec<Loop>,
-    orders: Vec<Loop>,
-    limits: Vec<Limit>,
+    met: Met,
     slips: [Option<Slip>; 2],
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
@@ -156,9 +150,7 @@ impl Way {
     pub fn made<V>(&mut self, name: &'static str, from: V, made: V) -> V {
         let place = Place::here();
         self.count();
-        if !self.operations.iter().any(|one| one.place == place) {
-            self.operations.push(Operation { name, place });
-        }
+        Spot { name, place }.add_to(&mut self.met.operations);
         let forgets = |slip: &Slip| matches!(slip, Slip::Forgotten(at) if *at == place);
         if self.slips.iter().flatten().any(forgets) {
             from
@@ -172,9 +164,7 @@ impl Way {
     pub fn power(&mut self, name: &'static str, base: f64, exponent: f64) -> f64 {
         let place = Place::here();
         self.count();
-        if !self.powers.iter().any(|one| one.place == place) {
-            self.powers.push(Operation { name, place });
-        }
+        Spot { name, place }.add_to(&mut self.met.powers);
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Power(at, of) if *at == place => Some(of),
             _ => None,
@@ -187,9 +177,7 @@ impl Way {
     pub fn rounds(&mut self, name: &'static str, count: usize) -> Range<usize> {
         let place = Place::here();
         self.count();
-        if !self.loops.iter().any(|one| one.place == place) {
-            self.loops.push(Loop { name, place });
-        }
+        Spot { name, place }.add_to(&mut self.met.loops);
         let slips = self.slips.iter().flatten();
         slips.fold(0..count, |rounds, slip| match slip {
             Slip::Rounds(at, of) if *at == place => of(rounds),
@@ -202,8 +190,8 @@ impl Way {
     pub fn in_order<T>(&mut self, name: &'static str, things: Vec<T>) -> Vec<T> {
         let place = Place::here();
         self.count();
-        if things.len() > 1 && !self.orders.iter().any(|one| one.place == place) {
-            self.orders.push(Loop { name, place });
+        if things.len() > 1 {
+            Spot { name, place }.add_to(&mut self.met.orders);
         }
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Ordered(at, of) if *at == place => Some(of),
@@ -221,8 +209,8 @@ impl Way {
     pub fn limit(&mut self, name: &'static str, number: usize) -> usize {
         let place = Place::here();
         self.count();
-        if !self.limits.iter().any(|one| one.place == place) {
-            self.limits.push(Limit {
+        if !self.met.limits.iter().any(|one| one.place == place) {
+            self.met.limits.push(Limit {
                 name,
                 place,
                 number,
@@ -297,13 +285,7 @@ impl Way {
         Walked {
             steps: self.steps,
             untold: self.untold,
-            decisions: self.decisions,
-            choices: self.choices,
-            operations: self.operations,
-            powers: self.powers,
-            loops: self.loops,
-            orders: self.orders,
-            limits: self.limits,
+            met: self.met,
             length: self.calculated,
         }
     }

@@ -1,4 +1,4 @@
-//! What a way went through: steps, decisions, choices, operations, loops and limits.
+//! What a way went through: its steps, and what it met beside them.
 
 use super::step::Step;
 use crate::explain::slip::Place;
@@ -10,22 +10,57 @@ pub struct Walked {
     pub steps: Vec<Step>,
     /// Steps that are not told: at each place the first.
     pub untold: Vec<Step>,
+    /// What else it came by.
+    pub met: Met,
+    /// The number of steps and decisions, told or not, at all places.
+    pub length: usize,
+}
+
+/// What a way met beside its steps, in which people go wrong too.
+#[derive(Clone, Debug, Default)]
+pub struct Met {
     /// The decisions: at each place the first.
     pub decisions: Vec<Decision>,
     /// The choices: at each place the first.
     pub choices: Vec<Choice>,
-    /// The operations that may be forgotten: at each place the first.
-    pub operations: Vec<Operation>,
-    /// The powers: at each place the first.
-    pub powers: Vec<Operation>,
-    /// The loops: at each place the first.
-    pub loops: Vec<Loop>,
+    /// The operations that may be forgotten, after "forgets", "to take the absolute value": at each place the first.
+    pub operations: Vec<Spot>,
+    /// The powers, each by its formula: at each place the first.
+    pub powers: Vec<Spot>,
+    /// The loops, by what they go through, "the axes": at each place the first.
+    pub loops: Vec<Spot>,
     /// What is gone through in an order: at each place the first.
-    pub orders: Vec<Loop>,
+    pub orders: Vec<Spot>,
     /// The numbers that are written into the program: at each place the first.
     pub limits: Vec<Limit>,
-    /// The number of steps and decisions, told or not, at all places.
-    pub length: usize,
+}
+
+impl Met {
+    /// Adds what another way met, where it is not among this.
+    pub fn add(&mut self, more: Self) {
+        // A decision that held on one way and did not on the other is one decision.
+        for decision in more.decisions {
+            let mut known = self.decisions.iter();
+            if !known.any(|one| one.place == decision.place) {
+                self.decisions.push(decision);
+            }
+        }
+        add_new(&mut self.choices, more.choices);
+        add_new(&mut self.operations, more.operations);
+        add_new(&mut self.powers, more.powers);
+        add_new(&mut self.loops, more.loops);
+        add_new(&mut self.orders, more.orders);
+        add_new(&mut self.limits, more.limits);
+    }
+}
+
+/// Adds those that are not among them.
+fn add_new<T: PartialEq>(all: &mut Vec<T>, more: Vec<T>) {
+    for one in more {
+        if !all.contains(&one) {
+            all.push(one);
+        }
+    }
 }
 
 /// A decision on the way; a remark tells what comes of it.
@@ -65,22 +100,22 @@ pub struct Choice {
     pub count: usize,
 }
 
-/// An operation on a value, which may be forgotten, or done wrongly.
+/// A spot on the way where something is done.
 #[derive(Clone, Debug, PartialEq)]
-pub struct Operation {
-    /// What is done, after "forgets": "to take the absolute value"; of a power its formula.
+pub struct Spot {
+    /// What is done there, in words.
     pub name: &'static str,
     /// Where it is done.
     pub place: Place,
 }
 
-/// A loop, whose rounds may be too few.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Loop {
-    /// What it goes through: "the axes".
-    pub name: &'static str,
-    /// Where it begins.
-    pub place: Place,
+impl Spot {
+    /// Adds it to those that are known, if it is none of them.
+    pub(super) fn add_to(self, all: &mut Vec<Self>) {
+        if !all.iter().any(|one| one.place == self.place) {
+            all.push(self);
+        }
+    }
 }
 
 /// A whole number that is written into the program.

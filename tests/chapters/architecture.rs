@@ -251,3 +251,50 @@ fn the_race_of_pictures_locks_what_the_library_depends_on() {
         "benches/peers/run pictures cannot start: run `cargo metadata` in benches/peers/pictures, which writes its Cargo.lock anew"
     );
 }
+
+/// Where each thing that implements one of the library's interfaces must be named: the file of its laws, or the folder of all tests.
+const NAMED: [(&str, &str); 5] = [
+    (
+        "Material",
+        "tests/library/ch17_rendering_equation/materials.rs",
+    ),
+    ("Light", "tests"),
+    ("Camera", "tests"),
+    ("Shape", "tests/library/laws/wild.rs"),
+    ("Accel<S>", "tests/library/bounded.rs"),
+];
+
+/// What only passes on to others, and `()`, the material of who asks for none: it has their laws.
+const WRAPPERS: [&str; 6] = ["", "T", "Facet", "Thing", "Form", "Meshed"];
+
+#[test]
+fn what_is_added_stands_in_a_table_of_laws() {
+    let mut seen = 0;
+    for (interface, place) in NAMED {
+        let tests: String = if place.ends_with(".rs") {
+            read(place)
+        } else {
+            rust_files(place).map(|(_, text)| text).collect()
+        };
+        let words: BTreeSet<_> = tests
+            .split(|c: char| !(c.is_alphanumeric() || c == '_'))
+            .collect();
+        let implements = format!(" {interface} for ");
+        for (file, text) in rust_files("src") {
+            let heads = text.lines().filter(|line| line.starts_with("impl"));
+            for head in heads.filter_map(|line| line.split_once(&implements)) {
+                let name = head.1.split(|c: char| !c.is_alphanumeric()).next();
+                let name = name.unwrap_or_default();
+                if WRAPPERS.contains(&name) {
+                    continue;
+                }
+                assert!(
+                    words.contains(name),
+                    "src/{file}: {name} is a {interface} that {place} does not name; see CONTRIBUTING.md"
+                );
+                seen += 1;
+            }
+        }
+    }
+    assert!(seen > 30, "the test must see them all; it saw {seen}");
+}

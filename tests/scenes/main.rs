@@ -3,6 +3,7 @@
 mod broken;
 mod drawn;
 mod fuzz;
+mod page;
 
 use raybook_scenes::Shot;
 use raybook_scenes::wrong::TextError;

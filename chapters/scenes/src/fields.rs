@@ -47,11 +47,6 @@ impl<'a> Fields<'a> {
         self.start
     }
 
-    /// Gives the table a more special description.
-    pub fn named(&mut self, what: impl Into<String>) {
-        self.what = what.into();
-    }
-
     /// The value of a field.
     pub fn value(&self, key: &'static str) -> Option<&'a Spanned<DeValue<'a>>> {
         self.asked.borrow_mut().push(key);
@@ -75,15 +70,27 @@ impl<'a> Fields<'a> {
         self.source.wrong(at, message)
     }
 
-    /// The value that was found, or the error that the field is missing.
+    /// What `read` finds in a field that must be there.
     ///
     /// # Errors
-    /// If it is missing.
-    pub fn need<T>(&self, key: &str, found: Option<T>) -> Result<T, TextError> {
-        found.ok_or_else(|| {
+    /// Those of `read`, and if the field is missing.
+    pub fn need<T>(
+        &self,
+        key: &'static str,
+        read: impl Fn(&Self, &'static str) -> Result<Option<T>, TextError>,
+    ) -> Result<T, TextError> {
+        read(self, key)?.ok_or_else(|| {
             let message = format!("{} needs {}", self.what, shown(key));
             self.source.wrong(self.start, message)
         })
+    }
+
+    /// A length in metres, above 0.
+    ///
+    /// # Errors
+    /// If there is something else.
+    pub fn length(&self, key: &'static str) -> Result<Option<f32>, TextError> {
+        self.number(key, 1e-9..=LARGEST)
     }
 
     /// A value that is read by a function; where that returns `None`, the error says what was expected.
@@ -209,25 +216,40 @@ impl<'a> Fields<'a> {
         self.get(key, "a text in quotes", DeValue::as_str)
     }
 
-    /// One of some words.
+    /// What the word stands for, of those that are known.
     ///
     /// # Errors
     /// If there is something else.
-    pub fn choice(
+    pub fn choice<T: Clone>(
         &self,
         key: &'static str,
-        words: &[&'static str],
-    ) -> Result<Option<&'static str>, TextError> {
+        known: &[(&'static str, T)],
+    ) -> Result<Option<T>, TextError> {
         let Some(text) = self.text(key)? else {
             return Ok(None);
         };
-        let known = words.iter().find(|word| **word == text);
-        known.copied().map(Some).ok_or_else(|| {
-            let hint = did_you_mean(text, words.iter().copied());
-            let known = listed(words.iter().copied());
-            let message = format!("{} is none of {known}{hint}", shown(text));
+        let found = known.iter().find(|(word, _)| *word == text);
+        found.map(|(_, value)| Some(value.clone())).ok_or_else(|| {
+            let words = || known.iter().map(|(word, _)| *word);
+            let hint = did_you_mean(text, words());
+            let message = format!("{} is none of {}{hint}", shown(text), listed(words()));
             self.wrong(key, message)
         })
+    }
+
+    /// What the field `kind` stands for, which must be there. From now on the table is described as `what` of this kind.
+    ///
+    /// # Errors
+    /// If there is something else, or nothing.
+    pub fn kind<T: Clone>(
+        &mut self,
+        what: &str,
+        known: &[(&'static str, T)],
+    ) -> Result<T, TextError> {
+        let chosen = self.need("kind", |fields, key| fields.choice(key, known))?;
+        let word = self.text("kind")?.unwrap_or_default();
+        self.what = format!("{what} of the kind `{word}`");
+        Ok(chosen)
     }
 
     /// A table in this one.

@@ -90,8 +90,8 @@ pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, Text
     if let Some(width) = width {
         picture = picture.of_width(width);
     }
-    let camera = fields.table("camera", "the camera")?;
-    let camera = camera::camera(fields.need("camera", camera)?, picture.aspect())?;
+    let camera = fields.need("camera", |fields, key| fields.table(key, "the camera"))?;
+    let camera = camera::camera(camera, picture.aspect())?;
     let rendering = rendering::rendering(&fields)?;
     let materials = materials::Materials::of(fields.table("materials", "the materials")?)?;
     let things = shapes::things(fields.tables("shapes", "a shape")?, &materials)?;

@@ -21,45 +21,60 @@ pub(crate) fn lights(all: Vec<Fields>) -> Result<Vec<Box<dyn Light>>, TextError>
     all.into_iter().map(light).collect()
 }
 
+/// A light of the table of its kind.
+type Make = fn(&Fields) -> Result<Box<dyn Light>, TextError>;
+
+/// The kinds by their words.
+const KINDS: [(&str, Make); 4] = [
+    ("rectangle", rectangle),
+    ("sphere", sphere),
+    ("point", point),
+    ("directional", directional),
+];
+
 fn light(mut fields: Fields) -> Result<Box<dyn Light>, TextError> {
-    let kinds = ["rectangle", "sphere", "point", "directional"];
-    let kind = fields.choice("kind", &kinds)?;
-    let kind = fields.need("kind", kind)?;
-    fields.named(format!("a light of the kind `{kind}`"));
-    let place = |key: &'static str| fields.need(key, fields.place(key)?);
-    let light = |key: &'static str| fields.need(key, fields.light(key)?);
-    let light: Box<dyn Light> = match kind {
-        "rectangle" => {
-            let (corner, a, b) = (place("corner_m")?, place("a_m")?, place("b_m")?);
-            square(&fields, a, b)?;
-            Box::new(RectLight::new(corner, a, b, light("radiance")?))
-        }
-        "sphere" => {
-            let radius = fields.number("radius_m", 1e-9..=LARGEST)?;
-            let sphere = Sphere::checked(place("center_m")?, fields.need("radius_m", radius)?);
-            Box::new(SphereLight {
-                sphere: sphere.map_err(|error| fields.wrong("radius_m", error.to_string()))?,
-                radiance: light("radiance")?,
-                choose: LightSampling::BySolidAngle,
-            })
-        }
-        "point" => Box::new(PointLight {
-            position: place("position_m")?,
-            intensity: light("intensity")?,
-        }),
-        _ => Box::new(DirectionalLight {
-            toward: fields.need("toward", fields.direction("toward")?)?,
-            irradiance: light("irradiance")?,
-        }),
-    };
+    let light = fields.kind("a light", &KINDS)?(&fields)?;
     fields.finish()?;
     Ok(light)
 }
 
-/// Whether two edges are at right angles, and none of them is zero.
-pub(crate) fn square(fields: &Fields, a: Vec3, b: Vec3) -> Result<(), TextError> {
+fn rectangle(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
+    let [corner, a, b] = edges(fields)?;
+    let radiance = fields.need("radiance", Fields::light)?;
+    Ok(Box::new(RectLight::new(corner, a, b, radiance)))
+}
+
+fn sphere(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
+    let center = fields.need("center_m", Fields::place)?;
+    let sphere = Sphere::checked(center, fields.need("radius_m", Fields::length)?);
+    Ok(Box::new(SphereLight {
+        sphere: sphere.map_err(|error| fields.wrong("radius_m", error.to_string()))?,
+        radiance: fields.need("radiance", Fields::light)?,
+        choose: LightSampling::BySolidAngle,
+    }))
+}
+
+fn point(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
+    Ok(Box::new(PointLight {
+        position: fields.need("position_m", Fields::place)?,
+        intensity: fields.need("intensity", Fields::light)?,
+    }))
+}
+
+fn directional(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
+    Ok(Box::new(DirectionalLight {
+        toward: fields.need("toward", Fields::direction)?,
+        irradiance: fields.need("irradiance", Fields::light)?,
+    }))
+}
+
+/// The corner of a rectangle and two edges, at right angles and none of them zero.
+pub(crate) fn edges(fields: &Fields) -> Result<[Vec3; 3], TextError> {
     /// The cosine that rounding may leave.
     const CROOKED: f32 = 1e-3;
+    let corner = fields.need("corner_m", Fields::place)?;
+    let a = fields.need("a_m", Fields::place)?;
+    let b = fields.need("b_m", Fields::place)?;
     let (long, wide) = (a.length(), b.length());
     if !(long >= 1e-9 && wide >= 1e-9 && long <= LARGEST && wide <= LARGEST) {
         let message = format!("the edges `a_m` and `b_m` must be from 1e-9 to {LARGEST:e} m long");
@@ -69,7 +84,7 @@ pub(crate) fn square(fields: &Fields, a: Vec3, b: Vec3) -> Result<(), TextError>
         let message = "the edges `a_m` and `b_m` of a rectangle must be at right angles";
         return Err(fields.wrong("b_m", message));
     }
-    Ok(())
+    Ok([corner, a, b])
 }
 
 /// Ambient light, the environment and the backdrop.
@@ -101,8 +116,7 @@ pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), Tex
 
 /// The picture that the field `file` names.
 pub(crate) fn picture(fields: &Fields) -> Result<Image, TextError> {
-    let name = fields.text("file")?;
-    let name = fields.need("file", name)?;
+    let name = fields.need("file", Fields::text)?;
     file::load(&fields.source().beside(name))
         .map_err(|error| fields.wrong("file", error.to_string()))
 }

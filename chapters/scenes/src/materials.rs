@@ -19,6 +19,7 @@ use raybook::material::texture::Texture;
 use raybook::shape::Surface;
 use std::collections::BTreeMap;
 use std::f32::consts::FRAC_1_PI;
+use std::ops::RangeInclusive;
 use std::sync::Arc;
 
 /// The materials of a scene by their names.
@@ -69,6 +70,64 @@ impl Materials {
     }
 }
 
+/// A material of the table of its kind.
+type Make = fn(&Fields) -> Result<Arc<dyn Material>, TextError>;
+
+/// The kinds by their words.
+const KINDS: [(&str, Make); 8] = [
+    ("matte", matte),
+    ("plastic", plastic),
+    ("phong", phong),
+    ("blinn-phong", blinn_phong),
+    ("metal", metal),
+    ("mirror", mirror),
+    ("glass", glass),
+    ("glowing", glowing),
+];
+
+fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
+    let material = fields.kind("a material", &KINDS)?(&fields)?;
+    fields.finish()?;
+    Ok(material)
+}
+
+fn matte(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    Ok(paint(fields)?.make(|albedo| Lambert { albedo }))
+}
+
+fn plastic(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let plastic = Plastic::new(Rgb::BLACK, index(fields)?);
+    Ok(paint(fields)?.make(move |albedo| plastic.of(albedo)))
+}
+
+fn phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let (specular, exponent) = highlight(fields)?;
+    Ok(paint(fields)?.make(move |albedo| Phong {
+        ambient: albedo,
+        diffuse: albedo * FRAC_1_PI,
+        specular: Rgb::gray(specular),
+        exponent,
+    }))
+}
+
+fn blinn_phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let (share, exponent) = highlight(fields)?;
+    // So no more light leaves than arrives.
+    Ok(paint(fields)?.make(move |albedo| NormalisedBlinnPhong {
+        diffuse: albedo * (1.0 - share),
+        specular: Rgb::gray(share),
+        exponent,
+    }))
+}
+
+/// The share of the highlight and its exponent.
+fn highlight(fields: &Fields) -> Result<(f32, f32), TextError> {
+    let share = fields.number("specular", 0.0..=1.0)?.unwrap_or(0.0);
+    let exponent = fields.number("exponent", 0.0..=1e6)?.unwrap_or(50.0);
+    Ok((share, exponent))
+}
+
+/// The metals by their words.
 const METALS: [(&str, Metal); 4] = [
     ("gold", Metal::GOLD),
     ("silver", Metal::SILVER),
@@ -76,78 +135,42 @@ const METALS: [(&str, Metal); 4] = [
     ("aluminium", Metal::ALUMINIUM),
 ];
 
-fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
-    let kinds = [
-        "matte",
-        "plastic",
-        "phong",
-        "blinn-phong",
-        "metal",
-        "mirror",
-        "glass",
-        "glowing",
-    ];
-    let kind = fields.choice("kind", &kinds)?;
-    let kind = fields.need("kind", kind)?;
-    fields.named(format!("a material of the kind `{kind}`"));
-    let index = || fields.number("index", 1.0..=4.0);
-    let material: Arc<dyn Material> = match kind {
-        "matte" => paint(&fields)?.make(|albedo| Lambert { albedo }),
-        "plastic" => {
-            let plastic = Plastic::new(Rgb::BLACK, index()?.unwrap_or(1.5));
-            paint(&fields)?.make(move |albedo| plastic.of(albedo))
-        }
-        "phong" => {
-            let specular = fields.number("specular", 0.0..=1.0)?.unwrap_or(0.0);
-            let exponent = fields.number("exponent", 0.0..=1e6)?.unwrap_or(50.0);
-            paint(&fields)?.make(move |albedo| Phong {
-                ambient: albedo,
-                diffuse: albedo * FRAC_1_PI,
-                specular: Rgb::gray(specular),
-                exponent,
-            })
-        }
-        "blinn-phong" => {
-            let share = fields.number("specular", 0.0..=1.0)?.unwrap_or(0.0);
-            let exponent = fields.number("exponent", 0.0..=1e6)?.unwrap_or(50.0);
-            // So no more light leaves than arrives.
-            paint(&fields)?.make(move |albedo| NormalisedBlinnPhong {
-                diffuse: albedo * (1.0 - share),
-                specular: Rgb::gray(share),
-                exponent,
-            })
-        }
-        "metal" => {
-            let name = fields.choice("metal", &METALS.map(|(name, _)| name))?;
-            let name = fields.need("metal", name)?;
-            let metal = METALS.iter().find(|(known, _)| *known == name);
-            let metal = fields.need("metal", metal)?.1;
-            let alpha = fields.number("roughness", 0.0..=1.0)?.unwrap_or(0.0);
-            if alpha < Ggx::SMOOTHEST {
-                Arc::new(Conductor(metal))
-            } else {
-                Arc::new(Ggx { metal, alpha })
-            }
-        }
-        "mirror" => {
-            let share = fields.share("share")?.unwrap_or(Rgb::gray(0.95));
-            Arc::new(Mirror { share })
-        }
-        "glass" => Arc::new(Glass {
-            outside: Medium::clear(fields.number("outside_index", 1.0..=4.0)?.unwrap_or(1.0)),
-            inside: Medium {
-                index: index()?.unwrap_or(1.5),
-                absorption: fields.light("absorption_per_m")?.unwrap_or(Rgb::BLACK),
-            },
-        }),
-        _ => {
-            let radiance = fields.light("radiance")?;
-            let radiance = fields.need("radiance", radiance)?;
-            Arc::new(Glowing { radiance })
-        }
-    };
-    fields.finish()?;
-    Ok(material)
+fn metal(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let metal = fields.need("metal", |fields, key| fields.choice(key, &METALS))?;
+    let alpha = fields.number("roughness", 0.0..=1.0)?.unwrap_or(0.0);
+    Ok(if alpha < Ggx::SMOOTHEST {
+        Arc::new(Conductor(metal))
+    } else {
+        Arc::new(Ggx { metal, alpha })
+    })
+}
+
+fn mirror(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let share = fields.share("share")?.unwrap_or(Rgb::gray(0.95));
+    Ok(Arc::new(Mirror { share }))
+}
+
+fn glass(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    Ok(Arc::new(Glass {
+        outside: Medium::clear(fields.number("outside_index", INDEX)?.unwrap_or(1.0)),
+        inside: Medium {
+            index: index(fields)?,
+            absorption: fields.light("absorption_per_m")?.unwrap_or(Rgb::BLACK),
+        },
+    }))
+}
+
+/// Of all that is transparent; diamond has 2.4.
+const INDEX: RangeInclusive<f32> = 1.0..=4.0;
+
+/// The refractive index; without one, that of window glass.
+fn index(fields: &Fields) -> Result<f32, TextError> {
+    Ok(fields.number("index", INDEX)?.unwrap_or(1.5))
+}
+
+fn glowing(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let radiance = fields.need("radiance", Fields::light)?;
+    Ok(Arc::new(Glowing { radiance }))
 }
 
 /// The colour of a surface, place by place.
@@ -159,11 +182,9 @@ enum Paint {
 
 /// A colour, a picture or squares of two colours, in the field `colour`.
 fn paint(fields: &Fields) -> Result<Paint, TextError> {
-    let value = fields.value("colour");
-    let value = fields.need("colour", value)?;
+    let value = fields.need("colour", |fields, key| Ok(fields.value(key)))?;
     if !value.get_ref().is_table() {
-        let plain = fields.share("colour")?;
-        return fields.need("colour", plain).map(Paint::Plain);
+        return fields.need("colour", Fields::share).map(Paint::Plain);
     }
     let fields = fields.of(value, "colour", "a `colour` that is a table")?;
     let paint = if let Some(squares) = fields.value("squares") {

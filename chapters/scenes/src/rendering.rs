@@ -10,7 +10,7 @@ use raybook::render::needs_more::StoppingRule;
 use raybook::render::sampler::{Integrator, Sampler};
 use raybook::render::{path::Path, shadow, whitted::Whitted};
 use raybook::sample::filter::Filter;
-use raybook::sample::pattern::{self, PATTERNS};
+use raybook::sample::pattern::{PATTERNS, Pattern};
 use std::fmt;
 
 /// The widest and highest picture, in pixels.
@@ -77,7 +77,7 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
         return Ok(usual);
     };
     let size = |v: Option<u64>, usual: usize| v.map_or(usual, |v| v as usize);
-    let tone = fields.choice("tone", &["clamp", "aces"])?;
+    let film_like = fields.choice("tone", &[("clamp", false), ("aces", true)])?;
     let picture = Picture {
         width: size(fields.whole("width", 1..=WIDEST)?, usual.width),
         height: size(fields.whole("height", 1..=WIDEST)?, usual.height),
@@ -85,11 +85,11 @@ pub(crate) fn picture(fields: Option<Fields>) -> Result<Picture, TextError> {
         seed: fields
             .whole("seed", 0..=i64::MAX as u64)?
             .unwrap_or(usual.seed),
-        filter: filter(&fields)?.unwrap_or(usual.filter),
+        filter: fields.choice("filter", &FILTERS)?.unwrap_or(usual.filter),
         exposure: fields
             .number("exposure_stops", -30.0..=30.0)?
             .unwrap_or(0.0),
-        film_like: tone == Some("aces"),
+        film_like: film_like.unwrap_or(usual.film_like),
     };
     fields.finish()?;
     Ok(picture)
@@ -102,12 +102,6 @@ const FILTERS: [(&str, Filter); 4] = [
     ("gaussian", Filter::GAUSSIAN),
     ("mitchell", Filter::MITCHELL),
 ];
-
-fn filter(fields: &Fields) -> Result<Option<Filter>, TextError> {
-    let chosen = fields.choice("filter", &FILTERS.map(|(word, _)| word))?;
-    let found = FILTERS.into_iter().find(|(word, _)| chosen == Some(word));
-    Ok(found.map(|(_, filter)| filter))
-}
 
 /// The integrator, which follows light, and the sampler, which places the samples.
 pub struct Rendering {
@@ -143,66 +137,91 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, TextError> {
 /// The largest `depth` of a scene file, in surfaces along one path: between two mirrors a path would never end.
 const DEEPEST: u64 = 1000;
 
+/// An integrator of the table of its kind.
+type Make = fn(&Fields) -> Result<Box<dyn Integrator>, TextError>;
+
+/// The integrators by their words.
+const INTEGRATORS: [(&str, Make); 2] = [("path", path), ("whitted", whitted)];
+
 fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, TextError> {
-    let kind = fields.choice("kind", &["path", "whitted"])?;
-    let kind = fields.need("kind", kind)?;
-    fields.named(format!("an integrator of the kind `{kind}`"));
-    let integrator: Box<dyn Integrator> = if kind == "path" {
-        let depth = fields.whole("depth", 1..=DEEPEST)?;
-        let path = Path {
-            depth: depth.unwrap_or(DEEPEST) as u32,
-            ..Path::WHOLE
-        };
-        match fields.number("brightest_sample", 1e-6..=1e12)? {
-            Some(brightest) => Box::new(Clamped {
-                integrator: path,
-                brightest,
-            }),
-            None => Box::new(path),
-        }
-    } else {
-        // Glass makes two rays of one, so that a tree of rays may not be as deep as a path.
-        let depth = fields.whole("depth", 1..=32)?.unwrap_or(8);
-        let shadows = fields.yes("shadows")?.unwrap_or(true);
-        let samples = fields.whole("light_samples", 1..=1024)?.unwrap_or(1);
-        Box::new(Whitted {
-            local: Local {
-                samples: samples as u32,
-                arrives: if shadows {
-                    Some(shadow::lit as _)
-                } else {
-                    NO_SHADOWS
-                },
-            },
-            depth: depth as u32,
-        })
-    };
+    let integrator = fields.kind("an integrator", &INTEGRATORS)?(&fields)?;
     fields.finish()?;
     Ok(integrator)
 }
 
+fn path(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
+    let depth = fields.whole("depth", 1..=DEEPEST)?;
+    let path = Path {
+        depth: depth.unwrap_or(DEEPEST) as u32,
+        ..Path::WHOLE
+    };
+    Ok(match fields.number("brightest_sample", 1e-6..=1e12)? {
+        Some(brightest) => Box::new(Clamped {
+            integrator: path,
+            brightest,
+        }),
+        None => Box::new(path),
+    })
+}
+
+fn whitted(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
+    // Glass makes two rays of one, so that a tree of rays may not be as deep as a path.
+    let depth = fields.whole("depth", 1..=32)?.unwrap_or(8);
+    let shadows = fields.yes("shadows")?.unwrap_or(true);
+    let samples = fields.whole("light_samples", 1..=1024)?.unwrap_or(1);
+    Ok(Box::new(Whitted {
+        local: Local {
+            samples: samples as u32,
+            arrives: if shadows {
+                Some(shadow::lit as _)
+            } else {
+                NO_SHADOWS
+            },
+        },
+        depth: depth as u32,
+    }))
+}
+
+/// How the samples of a table are placed: by a rule, or by a pattern, which has no fields.
+#[derive(Clone, Copy)]
+enum Placed {
+    By(fn(&Fields) -> Result<Sampler<'static>, TextError>),
+    In(&'static Pattern),
+}
+
+/// The rules by their words; each pattern goes by its name.
+const RULES: [(&str, Placed); 4] = [
+    ("even", Placed::By(|_| Ok(Sampler::Even))),
+    ("refined", Placed::By(|_| Ok(Sampler::Refined))),
+    ("adaptive", Placed::By(adaptive)),
+    ("budget", Placed::By(budget)),
+];
+
 fn sampler(mut fields: Fields) -> Result<Sampler<'static>, TextError> {
-    let mut kinds = vec!["even", "refined", "adaptive", "budget"];
-    kinds.extend(PATTERNS.iter().map(|pattern| pattern.name));
-    let kind = fields.choice("kind", &kinds)?;
-    let kind = fields.need("kind", kind)?;
-    fields.named(format!("a sampler of the kind `{kind}`"));
-    let sampler = match (kind, pattern::find(kind)) {
-        (_, Some(pattern)) => Sampler::Pattern(pattern),
-        ("refined", _) => Sampler::Refined,
-        ("adaptive", _) => {
-            let first = fields.whole("first", 2..=1024)?.unwrap_or(4) as usize;
-            let most = fields.whole("most", 2..=1_000_000)?.unwrap_or(256) as usize;
-            let error = fields.number("error", 0.0..=1e9)?;
-            let enough = error.map_or(StoppingRule::BY_CONTRAST, StoppingRule::by_variance);
-            Sampler::Adaptive(Limits { first, most }, enough)
-        }
-        ("budget", _) => {
-            let first = fields.whole("first", 2..=1024)?.unwrap_or(4) as usize;
-            Sampler::Budget { first }
-        }
-        _ => Sampler::Even,
+    let patterns = PATTERNS.iter().map(|one| (one.name, Placed::In(one)));
+    let kinds: Vec<_> = RULES.into_iter().chain(patterns).collect();
+    let sampler = match fields.kind("a sampler", &kinds)? {
+        Placed::By(rule) => rule(&fields)?,
+        Placed::In(pattern) => Sampler::Pattern(pattern),
     };
     fields.finish()?;
     Ok(sampler)
+}
+
+fn adaptive(fields: &Fields) -> Result<Sampler<'static>, TextError> {
+    let first = first(fields)?;
+    let most = fields.whole("most", 2..=1_000_000)?.unwrap_or(256) as usize;
+    let error = fields.number("error", 0.0..=1e9)?;
+    let enough = error.map_or(StoppingRule::BY_CONTRAST, StoppingRule::by_variance);
+    Ok(Sampler::Adaptive(Limits { first, most }, enough))
+}
+
+fn budget(fields: &Fields) -> Result<Sampler<'static>, TextError> {
+    let first = first(fields)?;
+    Ok(Sampler::Budget { first })
+}
+
+/// The samples that each pixel has first.
+fn first(fields: &Fields) -> Result<usize, TextError> {
+    Ok(fields.whole("first", 2..=1024)?.unwrap_or(4) as usize)
 }

@@ -1,19 +1,19 @@
 //! Shapes, and where they are placed.
 
 use crate::fields::Fields;
-use crate::lights::square;
+use crate::lights::edges;
 use crate::materials::Materials;
 use crate::wrong::TextError;
 use glam::{EulerRot, Mat3, Vec2, Vec3};
 use raybook::accel::{Meshed, wide_bvh::WideBvh};
 use raybook::image::tone;
 use raybook::math::dir3::Dir3;
-use raybook::math::domain::LARGEST;
 use raybook::scene::{model, world::Thing};
 use raybook::shape::cuboid::Cuboid;
 use raybook::shape::mesh::Mesh;
 use raybook::shape::normal_map::NormalMap;
 use raybook::shape::{Shape, instance::Instance, mesh_file, plane::Plane, sphere::Sphere, teapot};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thing>, TextError> {
@@ -29,20 +29,29 @@ pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thin
     Ok(things)
 }
 
+/// A shape of the table of its kind.
+type Make = fn(&Fields) -> Result<Arc<dyn Shape>, TextError>;
+
+/// The kinds by their words, of which a mesh may bring materials of its own.
+const KINDS: [(&str, Make); 6] = [
+    ("sphere", sphere),
+    ("plane", plane),
+    ("box", cuboid),
+    ("rectangle", rectangle),
+    ("teapot", teapot),
+    ("mesh", mesh),
+];
+
 /// The things of a table, before they are placed.
 fn made(mut fields: Fields, materials: &Materials) -> Result<(Vec<Thing>, Placing), TextError> {
-    let kinds = ["sphere", "plane", "box", "rectangle", "teapot", "mesh"];
-    let kind = fields.choice("kind", &kinds)?;
-    let kind = fields.need("kind", kind)?;
-    fields.named(format!("a shape of the kind `{kind}`"));
+    let shape = fields.kind("a shape", &KINDS)?;
     let material = materials.get(&fields)?;
-    let things = if kind == "mesh" && material.is_none() {
-        let name = fields.text("file")?;
-        let path = fields.source().beside(fields.need("file", name)?);
+    let things = if fields.text("kind")? == Some("mesh") && material.is_none() {
+        let path = file(&fields)?;
         model::load(&path).map_err(|error| fields.wrong("file", error.to_string()))?
     } else {
-        let shape = shape(&fields, kind)?;
-        let material = fields.need("material", material)?;
+        let shape = shape(&fields)?;
+        let material = fields.need("material", |_, _| Ok(material.clone()))?;
         vec![Thing { shape, material }]
     };
     let placing = Placing::of(&fields)?;
@@ -50,54 +59,69 @@ fn made(mut fields: Fields, materials: &Materials) -> Result<(Vec<Thing>, Placin
     Ok((things, placing))
 }
 
-fn shape(fields: &Fields, kind: &str) -> Result<Arc<dyn Shape>, TextError> {
-    let place = |key: &'static str| fields.need(key, fields.place(key)?);
-    Ok(match kind {
-        "sphere" => {
-            let radius = fields.number("radius_m", 1e-9..=LARGEST)?;
-            let sphere = Sphere::checked(place("center_m")?, fields.need("radius_m", radius)?);
-            Arc::new(sphere.map_err(|error| fields.wrong("center_m", error.to_string()))?)
-        }
-        "plane" => {
-            let normal = fields.direction("normal")?.unwrap_or(Dir3::Y);
-            Arc::new(Plane::through(place("point_m")?, normal))
-        }
-        "box" => Arc::new(Cuboid::between(place("corner_m")?, place("opposite_m")?)),
-        "rectangle" => {
-            let (corner, a, b) = (place("corner_m")?, place("a_m")?, place("b_m")?);
-            square(fields, a, b)?;
-            meshed(rectangle(fields, corner, a, b)?)
-        }
-        "teapot" => meshed(look(fields, teapot::mesh(16))?),
-        _ => {
-            let name = fields.text("file")?;
-            let path = fields.source().beside(fields.need("file", name)?);
-            let mesh = mesh_file::load(&path);
-            let mesh = mesh.map_err(|error| fields.wrong("file", error.to_string()))?;
-            meshed(look(fields, mesh)?)
-        }
-    })
+fn sphere(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let center = fields.need("center_m", Fields::place)?;
+    let sphere = Sphere::checked(center, fields.need("radius_m", Fields::length)?);
+    Ok(Arc::new(sphere.map_err(|error| {
+        fields.wrong("center_m", error.to_string())
+    })?))
 }
 
-fn meshed(mesh: Mesh) -> Arc<dyn Shape> {
-    Arc::new(Meshed::new(mesh, WideBvh::new))
+fn plane(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let normal = fields.direction("normal")?.unwrap_or(Dir3::Y);
+    let point = fields.need("point_m", Fields::place)?;
+    Ok(Arc::new(Plane::through(point, normal)))
+}
+
+fn cuboid(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let corner = fields.need("corner_m", Fields::place)?;
+    let opposite = fields.need("opposite_m", Fields::place)?;
+    Ok(Arc::new(Cuboid::between(corner, opposite)))
 }
 
 /// Two triangles; texture coordinates go from 0 to 1 along both edges.
-fn rectangle(fields: &Fields, corner: Vec3, a: Vec3, b: Vec3) -> Result<Mesh, TextError> {
+fn rectangle(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let [corner, a, b] = edges(fields)?;
     let corners = vec![corner, corner + a, corner + a + b, corner + b];
     let textures = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2], [0, 2, 3]], None, Some(textures));
     let mesh = mesh.map_err(|error| fields.wrong("corner_m", error.to_string()))?;
-    look(fields, mesh)
+    meshed(fields, mesh)
 }
+
+fn teapot(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    meshed(fields, teapot::mesh(16))
+}
+
+fn mesh(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let mesh = mesh_file::load(&file(fields)?);
+    let mesh = mesh.map_err(|error| fields.wrong("file", error.to_string()))?;
+    meshed(fields, mesh)
+}
+
+/// The path of the mesh that the field `file` names.
+fn file(fields: &Fields) -> Result<PathBuf, TextError> {
+    let name = fields.need("file", Fields::text)?;
+    Ok(fields.source().beside(name))
+}
+
+/// The mesh in a tree, with the look that the table gives it.
+fn meshed(fields: &Fields, mesh: Mesh) -> Result<Arc<dyn Shape>, TextError> {
+    Ok(Arc::new(Meshed::new(look(fields, mesh)?, WideBvh::new)))
+}
+
+/// What is done to the facets of a mesh, by its words.
+const FACETS: [(&str, fn(&Mesh) -> Mesh); 3] = [
+    ("flat", Mesh::flat),
+    ("smooth", Mesh::smooth),
+    ("as they are", Mesh::clone),
+];
 
 /// The mesh with flat or smooth facets, and with the bumps of a normal map.
 fn look(fields: &Fields, mesh: Mesh) -> Result<Mesh, TextError> {
-    let mesh = match fields.choice("facets", &["flat", "smooth", "as they are"])? {
-        Some("flat") => mesh.flat(),
-        Some("smooth") => mesh.smooth(),
-        _ => mesh,
+    let mesh = match fields.choice("facets", &FACETS)? {
+        Some(facets) => facets(&mesh),
+        None => mesh,
     };
     let Some(name) = fields.text("normal_map")? else {
         return Ok(mesh);

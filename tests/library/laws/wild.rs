@@ -1,15 +1,16 @@
 //! Nothing panics, whatever the bits.
 
 use crate::laws::forms::config;
-use glam::{Vec3, vec3};
+use glam::{Mat3, Vec3, vec3};
 use proptest::prelude::*;
 use raybook::accel::{Meshed, list::List};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, quadratic, ray::Ray, slab};
 use raybook::shape::mesh::Mesh;
 use raybook::shape::{
-    Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle,
+    Shape, cuboid::Cuboid, instance::Instance, plane::Plane, sphere::Sphere, triangle::Triangle,
     triangle_by_determinants, triangle_by_plane,
 };
+use std::sync::Arc;
 
 /// Any `f32`: any bits, or a number that is likely to make trouble, or a harmless one.
 fn number() -> impl Strategy<Value = f32> {
@@ -57,6 +58,17 @@ const SHAPES: &[Build] = &[
     |[a, b, c], _, _| {
         let mesh = Mesh::new(vec![a, b, c], vec![[0, 1, 2], [2, 1, 1]], None, None);
         Some(Box::new(Meshed::new(mesh.ok()?, List::new)))
+    },
+    |[center, translation, _], axis, scale| {
+        Some(Box::new(Instance {
+            shape: Arc::new(Sphere {
+                center,
+                radius: 1.0,
+            }),
+            scale,
+            rotation: Mat3::from_axis_angle(*axis, 1.0),
+            translation,
+        }))
     },
 ];
 

@@ -123,10 +123,13 @@ impl Graded for OctreeBuild {
             let names = &got.names[leaf.names.clone()];
             // Where its names begin is the cause of what they are.
             let or_shared = |why: String| Err(shared(leaf, &leaves).unwrap_or(why));
-            for (i, shape) in (0..).zip(&q.shapes) {
+            let mut named = vec![0; q.shapes.len()];
+            for &name in names {
+                named[name as usize] += 1;
+            }
+            for (i, (shape, named)) in q.shapes.iter().zip(named).enumerate() {
                 let deep =
                     (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
-                let named = names.iter().filter(|&&name| name == i).count();
                 if named > 1 {
                     return or_shared(format!("leaf {} names shape {i} twice", leaf.node));
                 }

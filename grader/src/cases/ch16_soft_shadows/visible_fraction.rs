@@ -73,14 +73,18 @@ impl Graded for VisibleFraction {
             ));
         }
         let exact = exact(q);
-        let [all, none] = [1.1, 0.9].map(|scale| to_the_corners(q, scale));
         // A small one hides between the points of a lattice.
         let apart = q.a.length().max(q.b.length()) / FINE as f32;
         let are_large = q.balls.iter().all(|ball| ball.radius > apart);
         for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
-            let is_certain = are_large && (all[i] == 1.0 || none[i] == 0.0);
-            let bound = if is_certain {
+            let at_the_corners = |scale| to_the_corners(q, i, scale);
+            let is_certain = || match f {
+                1.0 => at_the_corners(1.1) == 1.0,
+                0.0 => at_the_corners(0.9) == 0.0,
+                _ => false,
+            };
+            let bound = if are_large && got != f && is_certain() {
                 0.5 / n
             } else {
                 (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE
@@ -464,15 +468,16 @@ fn exact(q: &VisibleFraction) -> Vec<f32> {
     seen(q, FINE, |u| u, [0.0, 1.0])
 }
 
-/// The fractions by a lattice that reaches into the light's corners, and by balls of this scale: where it is 1 for larger balls, all of the
-/// light is seen, and where it is 0 for smaller ones, nothing.
-fn to_the_corners(q: &VisibleFraction, scale: f32) -> Vec<f32> {
+/// The fraction of point i by a lattice that reaches into the light's corners, and by balls of this scale: where it is 1 for larger balls, all of
+/// the light is seen, and where it is 0 for smaller ones, nothing.
+fn to_the_corners(q: &VisibleFraction, i: usize, scale: f32) -> f32 {
     let mut scaled = q.clone();
+    scaled.points = vec![q.points[i]];
     for ball in &mut scaled.balls {
         ball.radius *= scale;
     }
     let reaching = |u| 0.5 + (u - 0.5) * FINE as f32 / (FINE - 1) as f32;
-    seen(&scaled, FINE, reaching, [0.0, 1.0])
+    seen(&scaled, FINE, reaching, [0.0, 1.0])[0]
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`

@@ -23,19 +23,23 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
     if directions.is_empty() {
         return Ok(()); // none are due: the map is black
     }
-    let compare = |what: String, found: usize, share: f64| {
+    let compare = |what: &dyn Fn() -> String, found: usize, share: f64| {
         let right = share * all;
         if (found as f64 - right).abs() <= STRAY as f64 {
             return Ok(());
         }
+        let what = what();
         Err(format!(
             "of {all} directions {found} are {what}, and should be about {right:.0}"
         ))
     };
+    let light = q.all_light();
+    let share_of = |x: usize, y: usize| q.light(x, y) / light;
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         let inside = |p: &&Vec2| cell(p.x, q.width) == x && cell(p.y, q.height) == y;
         let found = places.iter().filter(inside).count();
-        compare(format!("in column {x} of row {y}"), found, q.share(x, y))?;
+        let share = share_of(x, y);
+        compare(&|| format!("in column {x} of row {y}"), found, share)?;
         // At the very edge, rounding may have chosen the side.
         let deep = |p: &&Vec2| {
             let within =
@@ -43,7 +47,7 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
             (within - 0.5).abs().max_element() < 0.5 - 1e-3
         };
         let found = places.iter().filter(deep).count();
-        if q.share(x, y) == 0.0 && found > 0 {
+        if share == 0.0 && found > 0 {
             return Err(format!(
                 "{found} directions are in the black texel {x} of row {y}"
             ));
@@ -52,7 +56,7 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
     // Above every circle of latitude and left of every meridian, in quarters of texels, there must be the right share.
     for quarter in 1..4 * height {
         let (y, part) = (quarter / 4, 0.25 * (quarter % 4) as f64);
-        let row = |y: usize| (0..width).map(|x| q.share(x, y)).sum::<f64>();
+        let row = |y: usize| (0..width).map(|x| share_of(x, y)).sum::<f64>();
         let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, height));
         let angle = PI * quarter as f64 / (4 * height) as f64;
         let of_row = (top - angle.cos()) / (top - bottom);
@@ -62,18 +66,18 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
             .filter(|p| f64::from(p.y) < angle / PI)
             .count();
         compare(
-            format!("within {:.0}° of +y", angle.to_degrees()),
+            &|| format!("within {:.0}° of +y", angle.to_degrees()),
             found,
             share,
         )?;
     }
     for quarter in 1..4 * width {
         let (x, part) = (quarter / 4, 0.25 * (quarter % 4) as f64);
-        let column = |x: usize| (0..height).map(|y| q.share(x, y)).sum::<f64>();
+        let column = |x: usize| (0..height).map(|y| share_of(x, y)).sum::<f64>();
         let share = (0..x).map(column).sum::<f64>() + part * column(x);
         let edge = quarter as f64 / (4 * width) as f64;
         let found = places.iter().filter(|p| f64::from(p.x) < edge).count();
-        compare(format!("left of {edge:.2} on the map"), found, share)?;
+        compare(&|| format!("left of {edge:.2} on the map"), found, share)?;
     }
     Ok(())
 }

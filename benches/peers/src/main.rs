@@ -18,6 +18,7 @@ mod sets;
 use clap::Parser;
 use racer::Racer;
 use racers::{ENTRIES, embree::Embree};
+use raybook::image::file;
 use raybook_embree::scans;
 use report::Row;
 use std::error::Error;
@@ -39,7 +40,7 @@ struct Options {
     /// Rounds; the median of them counts
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     rounds: Option<u16>,
-    /// Instead of the race, count a ray's steps in soups of 100 to TRIANGLES triangles, and write scaling.csv
+    /// Instead of the race, count a ray's steps in soups of 100 to TRIANGLES triangles, and write scaling.csv and scaling.png
     #[arg(long, value_name = "TRIANGLES", value_parser = clap::value_parser!(u32).range(1000..))]
     scaling: Option<u32>,
     /// Where the files go
@@ -59,10 +60,16 @@ fn main() -> ExitCode {
 
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     if let Some(largest) = options.scaling {
-        let text = scaling::scaling(largest);
+        let points = scaling::measure(largest);
+        let text = scaling::table(&points);
         print!("{text}");
         std::fs::create_dir_all(&options.out)?;
-        return Ok(std::fs::write(options.out.join("scaling.csv"), text)?);
+        std::fs::write(options.out.join("scaling.csv"), text)?;
+        let picture = scaling::picture(&points)?;
+        return Ok(file::save(
+            &options.out.join("scaling.png"),
+            &picture.pixels,
+        )?);
     }
     let (side, count, rounds, builds) = if options.quick {
         (256, 1 << 15, 3, 1)

@@ -220,9 +220,10 @@ impl<'a> Asker<'a> {
         (limits, start)
     }
 
-    /// Counts a wait in vain for one question. Of several, those without an answer are asked again, and have all of their time.
+    /// Counts a wait in vain for one question. Of several, those without an answer are asked again, and have all of their time. Who has
+    /// answered and does not end at once, as on a busy machine, was not waited for in vain.
     fn note(&mut self, questions: &[String], heard: &Conversation) {
-        let in_vain = matches!(heard.end, Some(End::TimedOut(_)));
+        let in_vain = matches!(heard.end, Some(End::TimedOut(_))) && heard.answers.is_empty();
         self.waits += u32::from(in_vain && questions.len() == 1);
     }
 

@@ -73,6 +73,18 @@ fn who_hangs_again_and_again_is_not_asked_for_ever() {
 }
 
 #[test]
+fn who_answers_and_is_slow_to_end_is_asked_everything() {
+    // An eighth of the limit is waited for its end, in each process of its own.
+    let counted = Counted::new("read q; echo \"= $q\"; exec sleep 0.2");
+    let questions: Vec<_> = (0..20).map(|i| i.to_string()).collect();
+    let mut asker = Asker::at_once(&counted.program, Limits::of(Duration::from_secs(1)));
+    let replies = asker.ask(&questions).expect("the shell can be started");
+    for (question, reply) in questions.iter().zip(replies) {
+        assert_eq!(reply.said, answer(question));
+    }
+}
+
+#[test]
 fn who_hangs_in_many_exercises_and_then_answers_is_found_right() {
     let counted = Counted::new(HANGS);
     let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(400)));

@@ -110,8 +110,11 @@ fn meshed(fields: &Fields, mesh: Mesh) -> Result<Arc<dyn Shape>, TextError> {
     Ok(Arc::new(Meshed::new(look(fields, mesh)?, WideBvh::new)))
 }
 
-/// What is done to the facets of a mesh, by its words.
-const FACETS: [(&str, fn(&Mesh) -> Mesh); 3] = [
+/// What is done to the facets of a mesh.
+type Facets = fn(&Mesh) -> Mesh;
+
+/// The same by its words.
+const FACETS: [(&str, Facets); 3] = [
     ("flat", Mesh::flat),
     ("smooth", Mesh::smooth),
     ("as they are", Mesh::clone),

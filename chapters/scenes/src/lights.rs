@@ -39,7 +39,7 @@ fn light(mut fields: Fields) -> Result<Box<dyn Light>, TextError> {
 }
 
 fn rectangle(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
-    let [corner, a, b] = edges(fields)?;
+    let [corner, a, b] = corner_and_edges(fields)?;
     let radiance = fields.need("radiance", Fields::light)?;
     Ok(Box::new(RectLight::new(corner, a, b, radiance)))
 }
@@ -69,7 +69,7 @@ fn directional(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
 }
 
 /// The corner of a rectangle and two edges, at right angles and none of them zero.
-pub(crate) fn edges(fields: &Fields) -> Result<[Vec3; 3], TextError> {
+pub(crate) fn corner_and_edges(fields: &Fields) -> Result<[Vec3; 3], TextError> {
     /// The cosine that rounding may leave.
     const CROOKED: f32 = 1e-3;
     let corner = fields.need("corner_m", Fields::place)?;

@@ -1,7 +1,7 @@
 //! Shapes, and where they are placed.
 
 use crate::fields::Fields;
-use crate::lights::edges;
+use crate::lights::corner_and_edges;
 use crate::materials::Materials;
 use crate::wrong::TextError;
 use glam::{EulerRot, Mat3, Vec2, Vec3};
@@ -81,7 +81,7 @@ fn cuboid(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
 
 /// Two triangles; texture coordinates go from 0 to 1 along both edges.
 fn rectangle(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
-    let [corner, a, b] = edges(fields)?;
+    let [corner, a, b] = corner_and_edges(fields)?;
     let corners = vec![corner, corner + a, corner + a + b, corner + b];
     let textures = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2], [0, 2, 3]], None, Some(textures));

@@ -15,7 +15,7 @@ impl Graded for Fresnel {
             n2: sample::number(rng, 1.0, 2.4),
         };
         if rng.random_bool(0.12) {
-            near_the_critical_angle(rng, asked)
+            near_the_critical_angle(rng, &asked)
         } else {
             asked
         }
@@ -291,7 +291,7 @@ impl Graded for Fresnel {
 
 /// The same media from the denser side, and an angle whose sine behind the surface is nearly 1: a threshold that is a little wrong shows
 /// there only. Single precision still tells on which side of 1 it is, and media that are nearly alike have no such angle but along the surface.
-fn near_the_critical_angle(rng: &mut Pcg, asked: Fresnel) -> Fresnel {
+fn near_the_critical_angle(rng: &mut Pcg, asked: &Fresnel) -> Fresnel {
     let n2 = asked.n1.min(asked.n2);
     let n1 = asked.n1.max(asked.n2).max(1.05 * n2);
     let off = sample::number(rng, 0.004, 0.02);

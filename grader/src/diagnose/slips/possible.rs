@@ -148,7 +148,7 @@ pub(super) fn slips(
     for Spot { name, place } in &passed.met.powers {
         for (of, _) in steps.iter().filter(|(of, _)| of.value.len() == 1) {
             for (inside, to) in [(false, "outside of"), (true, "inside")] {
-                let name = format!("writes the factor “{}” {to} the power “{name}”", short(of));
+                let name = format!("writes “{}” {to} the power “{name}”", short(of));
                 let (at, of) = (*place, of.place);
                 add(name, POWER, 12, Slip::Factor { at, of, inside });
             }

@@ -166,19 +166,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         let mut own = examiner.mistakes().into_iter();
         own.position(|(own, _)| own == name)
     };
-    // What is much wrong in few answers has the mean of what is a little wrong in many, which right answers contradict.
-    let is_contradicted = |name: &str| {
-        let spoils = |number: usize, item: &&Item| {
-            let answer = examiner.mistake_answers(number, &item.question);
-            answer.is_some_and(|answer| !evidence.is_right(item, &answer))
-        };
-        own(name).is_some_and(|number| {
-            let right = evidence.items[evidence.wrong..].iter();
-            let spoiled = right.filter(|item| spoils(number, item)).count();
-            spoiled > CONTRADICTED * evidence.wrong
-        })
-    };
-    near.retain(|one| !is_contradicted(&one.2));
+    near.retain(|one| !own(&one.2).is_some_and(|number| is_contradicted(evidence, number)));
     let (rest, rank, name, hint) = near.first()?;
     // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
     let given = || {
@@ -227,6 +215,16 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         is_cause: *rank <= SLIP,
         is_near,
     })
+}
+
+/// Whether right answers contradict an own mistake: what is much wrong in few answers has the mean of what is a little wrong in many.
+fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
+    let spoils = |item: &&Item| {
+        let answer = evidence.examiner.mistake_answers(number, &item.question);
+        answer.is_some_and(|answer| !evidence.is_right(item, &answer))
+    };
+    let right = evidence.items[evidence.wrong..].iter();
+    right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 
 /// The slips that make the first wrong answers likely.

@@ -182,6 +182,9 @@ fn a_way_with_a_slip_is_given_up_where_it_gets_too_long() {
 /// Steps that tell more than what is calculated with, or that only a mistake calculates with; and of a triangle's hit what a search has no use for.
 const ONLY_TOLD: &[&str] = &[
     "sphere_hit: s = (c − o)·d/(d·d), where the ray is nearest to the centre",
+    "vertex_normals: the length of e₁",
+    "vertex_normals: the length of e₂",
+    "vertex_normals: the length of the third edge",
     "mesh_hit: b₁, returned",
     "mesh_hit: b₂, returned",
     "voxels_of_triangle: the first cell that it can be in",

@@ -19,6 +19,9 @@ const NEAR: f64 = 0.2;
 /// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
 const SURE: f64 = 0.1;
 
+/// A mistake spoils no more right answers than this for each wrong one: what is next to wrong is called right by a judge's tolerance.
+const CONTRADICTED: usize = 3;
+
 /// Traits this close are the same.
 const CLOSE: f64 = 2e-3;
 
@@ -159,11 +162,15 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let near = |one: &&(f64, u32, String, String)| one.0 <= 1.3 * nearest + 0.5 * errors + 1e-6;
     let mut near: Vec<_> = found.iter().filter(near).collect();
     near.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
+    let own = |name: &str| {
+        let mut own = examiner.mistakes().into_iter();
+        own.position(|(own, _)| own == name)
+    };
+    near.retain(|one| !own(&one.2).is_some_and(|number| is_contradicted(evidence, number)));
     let (rest, rank, name, hint) = near.first()?;
     // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
     let given = || {
-        let mut own = examiner.mistakes().into_iter();
-        let number = own.position(|(own, _)| own == *name)?;
+        let number = own(name)?;
         let gives = |k: &usize| {
             let answer = examiner.mistake_answers(number, &evidence.items[*k].question);
             answer.is_some_and(|answer| evidence.explains(*k, &answer))
@@ -208,6 +215,16 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         is_cause: *rank <= SLIP,
         is_near,
     })
+}
+
+/// Whether right answers contradict an own mistake: what is much wrong in few answers has the mean of what is a little wrong in many.
+fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
+    let spoils = |item: &&Item| {
+        let answer = evidence.examiner.mistake_answers(number, &item.question);
+        answer.is_some_and(|answer| !evidence.is_right(item, &answer))
+    };
+    let right = evidence.items[evidence.wrong..].iter();
+    right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 
 /// The slips that make the first wrong answers likely.

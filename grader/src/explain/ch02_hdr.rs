@@ -35,8 +35,8 @@ impl Explained for Expose {
 impl Explained for ToneMap {
     fn work(&self, way: &mut Way) -> Rgb {
         let radiance = parts(self.radiance);
-        let seen = way.part("radiance in L", radiance);
-        let weights = way.part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
+        let seen = way.colour_part("radiance in L", radiance);
+        let weights = way.colour_part("the weights of R, G and B", dvec3(0.2126, 0.7152, 0.0722));
         let luminance = way.number("L = 0.2126 R + 0.7152 G + 0.0722 B", "", seen.dot(weights));
         let one = way.part("the 1 in 1 + L", 1.0);
         let factor = way.number("every channel is divided by 1 + L =", "", one + luminance);

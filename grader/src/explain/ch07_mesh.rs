@@ -85,39 +85,61 @@ impl Explained for InterpolateTexture {
     }
 }
 
-impl Explained for VertexNormals {
-    fn work(&self, way: &mut Way) -> Vec<Vec3> {
-        let of_none = way.part("the normal of a vertex without an area", DVec3::Y);
-        let nothing = way.part("what a vertex's sum begins with", DVec3::ZERO);
-        let mut sums = vec![nothing; self.positions.len()];
-        for (i, triangle) in self.triangles.iter().enumerate() {
-            let corners = [triangle.a, triangle.b, triangle.c];
-            let [p0, p1, p2] = corners.map(|k| self.positions[k as usize].as_dvec3());
-            let p0 = way.part("p₀", p0);
-            let p1 = way.part("p₁", p1);
-            let p2 = way.part("p₂", p2);
-            let e1 = way.part("e₁ = p₁ − p₀", p1 - p0);
-            let e2 = way.part("e₂ = p₂ − p₀", p2 - p0);
-            let name = format!("triangle {i}, e₁ × e₂: its normal, twice as long as its area");
-            let across = way.vector(name, "m²", e1.cross(e2));
-            let added = way.part("what a triangle gives to its vertices", across);
-            for k in corners {
-                sums[k as usize] += added;
-            }
+/// What a triangle with these two edges, whose cross product is given, adds to the sums of its vertices.
+type Given = fn(&mut Way, [DVec3; 2], DVec3) -> DVec3;
+
+/// The normals of vertices, to which each triangle gives something.
+fn summed(asked: &VertexNormals, way: &mut Way, given: Given) -> Vec<Vec3> {
+    let of_none = way.part("the normal of a vertex without an area", DVec3::Y);
+    let nothing = way.part("what a vertex's sum begins with", DVec3::ZERO);
+    let mut sums = vec![nothing; asked.positions.len()];
+    for (i, triangle) in asked.triangles.iter().enumerate() {
+        let corners = [triangle.a, triangle.b, triangle.c];
+        let [p0, p1, p2] = corners.map(|k| asked.positions[k as usize].as_dvec3());
+        let p0 = way.part("p₀", p0);
+        let p1 = way.part("p₁", p1);
+        let p2 = way.part("p₂", p2);
+        let e1 = way.part("e₁ = p₁ − p₀", p1 - p0);
+        let e2 = way.part("e₂ = p₂ − p₀", p2 - p0);
+        let name = format!("triangle {i}, e₁ × e₂: its normal, twice as long as its area");
+        let across = way.vector(name, "m²", e1.cross(e2));
+        let added = given(way, [e1, e2], across);
+        let added = way.part("what a triangle gives to its vertices", added);
+        for k in corners {
+            sums[k as usize] += added;
         }
-        let each = sums.into_iter().enumerate().map(|(i, sum)| {
-            let sum = way.vector(format!("vertex {i}, the sum of its triangles'"), "m²", sum);
-            let length = sum.length();
-            let lone = way.is_at_most("a vertex has no triangle with an area", length, 0.0);
-            let normal = if lone {
-                way.part("the normal of such a vertex", of_none)
-            } else {
-                way.made("to normalise a vertex's sum", sum, sum / length)
-            };
-            way.vector(format!("vertex {i}, the same of length 1"), "", normal)
-                .as_vec3()
-        });
-        each.collect()
+    }
+    let each = sums.into_iter().enumerate().map(|(i, sum)| {
+        let sum = way.vector(format!("vertex {i}, the sum of its triangles'"), "m²", sum);
+        let length = sum.length();
+        let lone = way.is_at_most("a vertex has no triangle with an area", length, 0.0);
+        let normal = if lone {
+            way.part("the normal of such a vertex", of_none)
+        } else {
+            way.made("to normalise a vertex's sum", sum, sum / length)
+        };
+        way.vector(format!("vertex {i}, the same of length 1"), "", normal)
+            .as_vec3()
+    });
+    each.collect()
+}
+
+/// A triangle's unit normal times its area.
+fn weighted(way: &mut Way, [e1, e2]: [DVec3; 2], across: DVec3) -> DVec3 {
+    way.part("the length of e₁", e1.length());
+    way.part("the length of e₂", e2.length());
+    way.part("the length of the third edge", (e2 - e1).length());
+    let area = way.part("the triangle's area", 0.5 * across.length());
+    let normal = way.part("the triangle's unit normal", across.normalize_or_zero());
+    way.part("the triangle's weight", area) * normal
+}
+
+impl Explained for VertexNormals {
+    const WAYS: &'static [fn(&Self, &mut Way) -> Vec<Vec3>] =
+        &[Self::work, |asked, way| summed(asked, way, weighted)];
+
+    fn work(&self, way: &mut Way) -> Vec<Vec3> {
+        summed(self, way, |_, _, across| across)
     }
 }
 

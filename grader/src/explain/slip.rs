@@ -164,6 +164,15 @@ pub enum Slip {
     Bracket(Place, Bracket),
     /// Something else is made of a base and an exponent than the power.
     Power(Place, Powers),
+    /// A factor of the base stands outside of the power, or one outside stands in the base: the last value of another step, a number.
+    Factor {
+        /// The power that is wrong.
+        at: Place,
+        /// The step whose value the factor is.
+        of: Place,
+        /// Whether it is in the base, and should not be.
+        inside: bool,
+    },
     /// The value that the step had in a round before, as one that a loop does not renew, or a line that was copied and not changed.
     Earlier(Place, Earlier),
     /// A decision falls in another way.
@@ -211,6 +220,7 @@ impl Slip {
             | Self::Among(at, _)
             | Self::Choice(at, _)
             | Self::ChoiceBy { at, .. }
+            | Self::Factor { at, .. }
             | Self::Near(at, _)
             | Self::Sides(at, _)
             | Self::Tie(at)

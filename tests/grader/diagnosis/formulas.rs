@@ -45,6 +45,31 @@ fn a_power_that_is_no_power_is_named() {
 }
 
 #[test]
+fn a_factor_that_belongs_inside_of_a_power_is_named() {
+    // Which axes are cut follows from the same wrong number of cells.
+    let found = diagnosed("grid_resolution", |q| {
+        let (extents, shapes, density) = (&q[..3], q[3], q[4]);
+        let mut thick: Vec<_> = (0..3).filter(|&axis| extents[axis] > 0.0).collect();
+        let mut cells = [1.0; 3];
+        while !thick.is_empty() {
+            let volume: f64 = thick.iter().map(|&axis| extents[axis]).product();
+            let per_metre = density * (shapes / volume).powf(1.0 / thick.len() as f64);
+            let before = thick.len();
+            thick.retain(|&axis| extents[axis] * per_metre >= 1.0);
+            if thick.len() == before {
+                for &axis in &thick {
+                    cells[axis] = (extents[axis] * per_metre).round();
+                }
+                break;
+            }
+        }
+        Some(cells.to_vec())
+    });
+    let told = "writes “density” outside of the power “the root of cells/volume”";
+    assert_eq!(found.name, told);
+}
+
+#[test]
 fn twice_a_value_for_its_square_is_named() {
     let found = diagnosed("solve_quadratic", |q| {
         let [a, b, c] = [q[0], q[1], q[2]];

@@ -172,3 +172,13 @@ fn the_factor_of_estimates_is_told_to_two_digits() {
         assert!(found.name.starts_with(told), "{factor}: {}", found.name);
     }
 }
+
+#[test]
+fn estimates_a_little_too_small_are_of_no_mistake_that_changes_them_less() {
+    let found = diagnosed("visible_fraction", |q| {
+        let mut answer = right("visible_fraction", q);
+        answer[1..].iter_mut().for_each(|v| *v *= 0.97);
+        Some(answer)
+    });
+    assert_eq!(found.name, "returns 0.97 times the answer");
+}

@@ -1,7 +1,7 @@
 //! Numbers that are written into a program, the order of things, a value times a number; and what all answers tell together.
 
 use super::operations::{diagnosed, right, told};
-use glam::DVec3;
+use glam::{DVec2, DVec3, IVec2};
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, visible_rng};
 use raybook_grader::together::Bounds;
@@ -175,6 +175,28 @@ fn a_factor_that_nobody_thought_of_is_fitted() {
         Some((p - 0.97 * center).normalize().to_array().to_vec())
     });
     assert_eq!(found.name, "takes 0.97 times center");
+}
+
+#[test]
+fn no_number_is_fitted_with_which_answers_are_endless() {
+    // Turned by arctan 2 clockwise: the same lattice elsewhere, to which no factor of the spacing leads.
+    let found = diagnosed("rotated_grid", |q| {
+        let (spacing, offset) = (q[0], DVec2::new(q[1], q[2]));
+        let turned = |v: DVec2| DVec2::new(v.x + 2.0 * v.y, v.y - 2.0 * v.x) / 5.0_f64.sqrt();
+        let reach = (2.0 / spacing) as i32 + 2;
+        let steps = (-reach..=reach).flat_map(|i| (-reach..=reach).map(move |j| [i, j]));
+        let points =
+            steps.map(|step| 0.5 + spacing * turned(IVec2::from(step).as_dvec2() + offset));
+        let inside = |p: &DVec2| p.cmpge(DVec2::ZERO).all() && p.cmplt(DVec2::ONE).all();
+        let points: Vec<_> = points.filter(inside).map(|p| p.to_array()).collect();
+        Some([vec![points.len() as f64], points.concat()].concat())
+    });
+    assert!(
+        found
+            .name
+            .starts_with("has the right lattice in the wrong place"),
+        "{found:?}"
+    );
 }
 
 #[test]

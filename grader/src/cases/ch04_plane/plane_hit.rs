@@ -48,6 +48,11 @@ impl Graded for PlaneHit {
             answer: |q| Self::misread(q, |q| q.offset = 0.0),
         },
         Mistake {
+            name: "takes (0, offset, 0) for a point of the plane",
+            hint: "Which point of the plane is nearest to the world's origin, and how far along n is it? Is it above the origin, whatever n is?",
+            answer: |q| Self::misread(q, |q| q.offset *= q.normal.y),
+        },
+        Mistake {
             name: "sees the front only",
             hint: "Look at the plane from below: is it still there?",
             answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction) < 0.0),

@@ -91,9 +91,8 @@ impl Graded for GridResolution {
             name: "multiplies by the density outside the root",
             hint: "Eight times the density: how many times as many cells are there, and how many times as many along an axis?",
             answer: |q| {
-                let one = Self::misread(q, |q| q.density = 1.0);
-                let along = Vec3::new(one.x as f32, one.y as f32, one.z as f32);
-                whole(along * q.density, f32::round)
+                let one = GridResolution { density: 1.0, ..*q };
+                whole(share(&one) * q.density, f32::round)
             },
         },
         Mistake {
@@ -112,6 +111,17 @@ impl Graded for GridResolution {
                 let along = q.extents * (cells(q) / content).cbrt();
                 let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
                 whole(along * thick, f32::round)
+            },
+        },
+        Mistake {
+            name: "takes the square root even where one axis only is cut",
+            hint: "Of a box that is long along one axis only, all cells are in one row: which root gives their number?",
+            answer: |q| {
+                let (content, thick) = content(q);
+                if thick.element_sum() > 1.0 {
+                    return GridResolution::answer(q);
+                }
+                whole(q.extents * (cells(q) / content).sqrt() * thick, f32::round)
             },
         },
         Mistake {

@@ -102,6 +102,9 @@ pub(super) const CHEAPER: Leaf = |q, which, cut| {
 pub(super) const CHEAPER_THAN_THE_CUT: Leaf =
     |q, which, cut| cut.cost >= area_around(q, which) * which.len() as f32;
 
+/// A leaf where it has no more boxes than the branch and the cut cost, whose areas are not divided by the node's.
+pub(super) const ABSOLUTE: Leaf = |_, which, cut| 1.0 + cut.cost >= which.len() as f32;
+
 /// A leaf of a single box only.
 pub(super) const SINGLE: Leaf = |_, which, _| which.len() == 1;
 

@@ -1,6 +1,7 @@
 //! `fresnel`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
+use rand::RngExt;
 use raybook::material::fresnel;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
@@ -8,10 +9,15 @@ use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer};
 
 impl Graded for Fresnel {
     fn random(rng: &mut Pcg) -> Fresnel {
-        Fresnel {
+        let asked = Fresnel {
             cos1: sample::number(rng, 0.02, 1.0),
             n1: sample::number(rng, 1.0, 1.7),
             n2: sample::number(rng, 1.0, 2.4),
+        };
+        if rng.random_bool(0.12) {
+            near_the_critical_angle(rng, &asked)
+        } else {
+            asked
         }
     }
 
@@ -281,6 +287,25 @@ impl Graded for Fresnel {
             },
         },
     ];
+}
+
+/// The same media from the denser side, and an angle whose sine behind the surface is nearly 1: a threshold that is a little wrong shows
+/// there only. Single precision still tells on which side of 1 it is, and media that are nearly alike have no such angle but along the surface.
+fn near_the_critical_angle(rng: &mut Pcg, asked: &Fresnel) -> Fresnel {
+    let n2 = asked.n1.min(asked.n2);
+    let n1 = asked.n1.max(asked.n2).max(1.05 * n2);
+    let off = sample::number(rng, 0.004, 0.02);
+    let sin2 = if rng.random_bool(0.5) {
+        1.0 + off
+    } else {
+        1.0 - off
+    };
+    let sin1 = sin2 * n2 / n1;
+    Fresnel {
+        cos1: (1.0 - sin1 * sin1).sqrt(),
+        n1,
+        n2,
+    }
 }
 
 /// The answer whose R is the square of half of what is made of the two amplitudes.

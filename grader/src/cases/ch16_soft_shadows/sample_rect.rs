@@ -48,7 +48,21 @@ impl Graded for SampleRect {
                 // As `<=`, so that a NaN is outside.
                 let inside = (p - 0.5).abs().max_element() <= 0.5 + margin && off <= margin * size;
                 if !inside {
-                    return Err("its point is not on the light".to_owned());
+                    let n = q.a.cross(q.b);
+                    let right = (q.corner - q.at).dot(n) / chosen.toward.dot(n);
+                    let there = place(&Chosen {
+                        distance: right,
+                        ..chosen.clone()
+                    });
+                    let is_met = right > 0.0 && (there - 0.5).abs().max_element() <= 0.5 + margin;
+                    return Err(if is_met {
+                        format!(
+                            "the light is {right:.4} m away in its direction, and its distance is {:.4} m",
+                            chosen.distance
+                        )
+                    } else {
+                        "its point is not on the light".to_owned()
+                    });
                 }
                 let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
                 let pdf = chosen.distance.powi(2) / (area(q) * cosine);
@@ -82,6 +96,11 @@ impl Graded for SampleRect {
             complaint: "its point is not on the light",
             name: "chooses points that are not on the light",
             hint: "The corner and the two sides: between which numbers times the sides is a point on the light?",
+        },
+        Flaw {
+            complaint: "away in its direction",
+            name: "returns a distance that is not that of the light in the sample's direction",
+            hint: "From where to where is your distance measured, and does each sample have its own?",
         },
         flaws::DENSITY,
         flaws::RATIO,

@@ -197,6 +197,18 @@ impl Graded for SampleSphereLight {
             },
         },
         Mistake {
+            name: "returns the distance of the sphere's nearest point for all directions",
+            hint: "Only one of your directions goes through the sphere's centre: how far is the sphere along the others?",
+            answer: |q| {
+                let mut all = SampleSphereLight::answer(q);
+                let distance = q.at.distance(q.center) - q.radius;
+                for chosen in all.iter_mut().filter(|_| distance > 0.0) {
+                    chosen.distance = distance;
+                }
+                all
+            },
+        },
+        Mistake {
             name: "chooses only half of all directions from inside the light",
             hint: "Inside the light, from which directions does no light come?",
             answer: |q| {

@@ -109,8 +109,8 @@ impl Graded for RandomPattern {
         },
         Flaw {
             complaint: "do not fill the square",
-            name: "crowds the points in a part of the square",
-            hint: "From where to where do your random numbers go?",
+            name: "crowds the points, though x and y by themselves are even: they depend on each other, or on the point before",
+            hint: "Of how many random numbers do you make a point, and does any of them go into another coordinate or point too?",
         },
         Flaw {
             complaint: "in the square's corners",

@@ -33,6 +33,9 @@ struct Rest {
     count: f64,
     sum: f64,
     squares: f64,
+    /// The squares of what is left, and of what the right answer leaves, each as a share of the largest number of that.
+    left: f64,
+    left_by_right: f64,
 }
 
 impl Rest {
@@ -47,6 +50,27 @@ impl Rest {
                 self.squares += share * share;
             }
         }
+    }
+
+    /// Adds how far an answer is from what explains it, and how far from the right one.
+    fn compare(&mut self, got: &[f64], prediction: &[f64], right: &[f64]) {
+        let size = right.iter().fold(0.0, |size: f64, v| size.max(v.abs()));
+        let apart = |from: &[f64]| {
+            let pairs = got.iter().zip(from);
+            let squares = pairs.map(|(a, b)| ((a - b) / size).powi(2));
+            squares.filter(|square| square.is_finite()).sum::<f64>()
+        };
+        if got.len() == right.len() && got.len() == prediction.len() {
+            self.left += apart(prediction);
+            self.left_by_right += apart(right);
+        }
+    }
+
+    /// Whether what explains the answers is hardly nearer to them than the right ones are.
+    fn is_as_far_as_right(&self) -> bool {
+        /// The share of the squares that a mistake may leave.
+        const MOST: f64 = 0.5;
+        self.left > MOST * self.left_by_right
     }
 
     /// Whether their mean is no chance.
@@ -296,7 +320,9 @@ impl Evidence<'_> {
             let agree = |p: &Vec<f64>| self.is_predicted(item, p);
             let (agrees, close) = prediction.as_ref().map_or((false, false), agree);
             if agrees {
-                rest.add(&item.got, prediction.as_deref().unwrap_or(&[]));
+                let said = prediction.as_deref().unwrap_or(&[]);
+                rest.add(&item.got, said);
+                rest.compare(&item.got, said, item.golden());
                 score.explained += 1;
                 let strays = |all: &Vec<f64>| self.strays_elsewhere(item, all);
                 score.strays += usize::from(predicted.as_ref().is_some_and(strays));
@@ -311,6 +337,9 @@ impl Evidence<'_> {
             }
         }
         score.is_rough = self.is_rough();
+        if score.is_rough && rest.is_as_far_as_right() {
+            return None;
+        }
         score.is_doubtful =
             score.is_rough && (score.explained < MANY || rest.leans() || rest.is_large());
         Some(score)

@@ -55,9 +55,21 @@ fn nearest(off: &dyn Fn(f64) -> Option<Vec<f64>>) -> Option<f64> {
             .zip(&slopes)
             .map(|(off, slope)| off * slope)
             .sum();
-        by -= (down / steep).clamp(-1.0, 1.0);
+        by = moved(by, (down / steep).clamp(-1.0, 1.0));
     }
     Some(by)
+}
+
+/// A number less a step, but no nearer to 0 than half of it: of what nearly vanishes, such as the distance between points, an answer is
+/// endlessly long.
+fn moved(by: f64, step: f64) -> f64 {
+    let next = by - step;
+    let least = 0.5 * by.abs();
+    if next.abs() < least {
+        least.copysign(next)
+    } else {
+        next
+    }
 }
 
 /// A number with this many digits behind the first.

@@ -328,4 +328,4 @@ pub const SIDES: &[(u32, &str, Sides)] = &[
 ];
 
 /// Thresholds that people write for 0; of those that explain the answers the largest is told.
-pub const NEAR: [f64; 4] = [1e-2, 1e-3, 1e-4, 1e-6];
+pub const NEAR: [f64; 6] = [1e-2, 1e-3, 1e-4, 1e-6, 2e-2, 0.1];

@@ -145,6 +145,15 @@ pub(super) fn slips(
             add(name, CHOSEN, 12, slip);
         }
     }
+    for Spot { name, place } in &passed.met.powers {
+        for (of, _) in steps.iter().filter(|(of, _)| of.value.len() == 1) {
+            for (inside, to) in [(false, "outside of"), (true, "inside")] {
+                let name = format!("writes “{}” {to} the power “{name}”", short(of));
+                let (at, of) = (*place, of.place);
+                add(name, POWER, 12, Slip::Factor { at, of, inside });
+            }
+        }
+    }
     let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
     let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
     let tells = evidence.is_judged() && evidence.tells_much();

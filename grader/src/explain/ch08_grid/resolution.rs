@@ -23,7 +23,12 @@ impl Explained for GridResolution {
             let volume: f64 = thick.iter().map(|&axis| extents[axis]).product();
             let names = names.join(" · ");
             let volume = way.number(format!("the volume, of {names}"), "", volume);
-            let dense = way.part("cells/volume", cells / volume);
+            let shared = if thick.len() == 3 {
+                way.part("cells, where all axes share them", cells)
+            } else {
+                way.part("cells, where fewer axes share them", cells)
+            };
+            let dense = way.part("cells/volume", shared / volume);
             let root = way.part("1 over the number of axes", 1.0 / thick.len() as f64);
             let dense = way.power("the root of cells/volume", dense, root);
             let per_metre = way.number("cells per metre: the root of cells/volume", "1/m", dense);

@@ -166,10 +166,18 @@ impl Way {
         self.count();
         Spot { name, place }.add_to(&mut self.met.powers);
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
-            Slip::Power(at, of) if *at == place => Some(of),
+            Slip::Power(at, of) if *at == place => Some(of(base, exponent)),
+            Slip::Factor { at, of, inside } if *at == place => {
+                let factor = *self.last(*of, 1)?.first()?;
+                Some(if *inside {
+                    (base * factor).powf(exponent) / factor
+                } else {
+                    (base / factor).powf(exponent) * factor
+                })
+            }
             _ => None,
         });
-        slip.map_or_else(|| base.powf(exponent), |of| of(base, exponent))
+        slip.unwrap_or_else(|| base.powf(exponent))
     }
 
     /// The rounds of a loop through this number of things, "the axes": 0, 1, 2 and so on.
@@ -271,7 +279,11 @@ impl Way {
         let looks_back = |slip: &Slip| {
             matches!(
                 slip,
-                Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..) | Slip::ChoiceBy { .. }
+                Slip::Other { .. }
+                    | Slip::Mix { .. }
+                    | Slip::Bracket(..)
+                    | Slip::ChoiceBy { .. }
+                    | Slip::Factor { .. }
             )
         };
         let mut slips = self.slips.iter().flatten();

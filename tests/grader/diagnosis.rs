@@ -5,6 +5,7 @@ mod comparisons;
 mod ends;
 mod flaws;
 mod formulas;
+mod function;
 mod guesses;
 mod habits;
 mod lists;
@@ -20,12 +21,12 @@ mod students;
 mod undone;
 mod written;
 
+use function::answers;
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;
 use raybook_grader::diagnose::misread::misreadings;
 use raybook_grader::diagnose::{Diagnosis, diagnose};
-use raybook_grader::examine::{Case, Examiner, visible_rng};
-use raybook_workbook::row;
+use raybook_grader::examine::{Examiner, visible_rng};
 use rayon::prelude::*;
 use students::STUDENTS;
 
@@ -145,10 +146,8 @@ fn told(diagnosis: &Diagnosis) -> String {
 fn fate(slip: &Slip) -> Fate {
     let examiner = cases::find(slip.exercise).expect("the exercise exists");
     let cases = examiner.cases(&mut visible_rng(slip.exercise)).cases;
-    let answers: Vec<_> = cases
-        .iter()
-        .map(|case| answer(examiner, slip, case))
-        .collect();
+    let call = examiner.asked().call;
+    let answers = answers(examiner, &cases, |q| Some((slip.answer)(q, &call)));
     if answers.iter().all(|(_, right)| *right) {
         return Fate::Passed;
     }
@@ -167,14 +166,4 @@ fn fate(slip: &Slip) -> Fate {
     } else {
         Fate::Guessed(diagnosis)
     }
-}
-
-/// The answer of a function with this mistake, and whether it is right.
-fn answer(examiner: &dyn Examiner, slip: &Slip, case: &Case) -> (Option<String>, bool) {
-    let asked = examiner.asked();
-    let question = asked.read_question(&case.question).expect("a question");
-    let numbers = (slip.answer)(&question, &asked.call);
-    let line = row::format(asked.answer.kind, &numbers);
-    let right = examiner.judge(&case.question, &case.answers, &line).is_ok();
-    (Some(line), right)
 }

@@ -14,6 +14,9 @@ use toml::de::{DeTable, DeValue};
 /// The brightest light that a scene may have.
 const BRIGHTEST: f32 = 1e12;
 
+/// Makes something of a table of its kind.
+pub type Make<T> = fn(&Fields) -> Result<T, TextError>;
+
 /// A table, and the names of the fields that were read.
 #[derive(Debug)]
 pub struct Fields<'a> {
@@ -250,6 +253,20 @@ impl<'a> Fields<'a> {
         let word = self.text("kind")?.unwrap_or_default();
         self.what = format!("{what} of the kind `{word}`");
         Ok(chosen)
+    }
+
+    /// What the table makes, by the function of its kind.
+    ///
+    /// # Errors
+    /// Those of [`Fields::kind`], of the function, and of [`Fields::finish`].
+    pub fn made<T>(
+        mut self,
+        what: &str,
+        kinds: &[(&'static str, Make<T>)],
+    ) -> Result<T, TextError> {
+        let made = self.kind(what, kinds)?(&self)?;
+        self.finish()?;
+        Ok(made)
     }
 
     /// A table in this one.

@@ -1,6 +1,6 @@
 //! Lights, and what is around the scene.
 
-use crate::fields::Fields;
+use crate::fields::{Fields, Make};
 use crate::wrong::TextError;
 use glam::Vec3;
 use raybook::image::{Image, file, mip::MipMap, rgb::Rgb};
@@ -18,25 +18,17 @@ use raybook::scene::world::Scene;
 use raybook::shape::sphere::Sphere;
 
 pub(crate) fn lights(all: Vec<Fields>) -> Result<Vec<Box<dyn Light>>, TextError> {
+    let light = |fields: Fields| fields.made("a light", &KINDS);
     all.into_iter().map(light).collect()
 }
 
-/// A light of the table of its kind.
-type Make = fn(&Fields) -> Result<Box<dyn Light>, TextError>;
-
 /// The kinds by their words.
-const KINDS: [(&str, Make); 4] = [
+const KINDS: [(&str, Make<Box<dyn Light>>); 4] = [
     ("rectangle", rectangle),
     ("sphere", sphere),
     ("point", point),
     ("directional", directional),
 ];
-
-fn light(mut fields: Fields) -> Result<Box<dyn Light>, TextError> {
-    let light = fields.kind("a light", &KINDS)?(&fields)?;
-    fields.finish()?;
-    Ok(light)
-}
 
 fn rectangle(fields: &Fields) -> Result<Box<dyn Light>, TextError> {
     let [corner, a, b] = corner_and_edges(fields)?;

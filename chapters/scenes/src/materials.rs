@@ -1,6 +1,6 @@
 //! Materials: each has a name, and shapes may share it.
 
-use crate::fields::Fields;
+use crate::fields::{Fields, Make};
 use crate::lights::picture;
 use crate::values::colour;
 use crate::wrong::{TextError, no_such, shown};
@@ -70,11 +70,8 @@ impl Materials {
     }
 }
 
-/// A material of the table of its kind.
-type Make = fn(&Fields) -> Result<Arc<dyn Material>, TextError>;
-
 /// The kinds by their words.
-const KINDS: [(&str, Make); 8] = [
+const KINDS: [(&str, Make<Arc<dyn Material>>); 8] = [
     ("matte", matte),
     ("plastic", plastic),
     ("phong", phong),
@@ -85,10 +82,8 @@ const KINDS: [(&str, Make); 8] = [
     ("glowing", glowing),
 ];
 
-fn material(mut fields: Fields) -> Result<Arc<dyn Material>, TextError> {
-    let material = fields.kind("a material", &KINDS)?(&fields)?;
-    fields.finish()?;
-    Ok(material)
+fn material(fields: Fields) -> Result<Arc<dyn Material>, TextError> {
+    fields.made("a material", &KINDS)
 }
 
 fn matte(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {

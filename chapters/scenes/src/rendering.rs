@@ -1,6 +1,6 @@
 //! The picture's size, its samples, and how light is followed.
 
-use crate::fields::Fields;
+use crate::fields::{Fields, Make};
 use crate::wrong::TextError;
 use raybook::image::{Image, tone};
 use raybook::render::adaptive::Limits;
@@ -124,7 +124,7 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, TextError> {
     let sampler = scene.table("sampler", "the sampler")?;
     Ok(Rendering {
         integrator: match integrator {
-            Some(fields) => self::integrator(fields)?,
+            Some(fields) => fields.made("an integrator", &INTEGRATORS)?,
             None => Box::new(Path::WHOLE),
         },
         sampler: match sampler {
@@ -137,17 +137,8 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, TextError> {
 /// The largest `depth` of a scene file, in surfaces along one path: between two mirrors a path would never end.
 const DEEPEST: u64 = 1000;
 
-/// An integrator of the table of its kind.
-type Make = fn(&Fields) -> Result<Box<dyn Integrator>, TextError>;
-
 /// The integrators by their words.
-const INTEGRATORS: [(&str, Make); 2] = [("path", path), ("whitted", whitted)];
-
-fn integrator(mut fields: Fields) -> Result<Box<dyn Integrator>, TextError> {
-    let integrator = fields.kind("an integrator", &INTEGRATORS)?(&fields)?;
-    fields.finish()?;
-    Ok(integrator)
-}
+const INTEGRATORS: [(&str, Make<Box<dyn Integrator>>); 2] = [("path", path), ("whitted", whitted)];
 
 fn path(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
     let depth = fields.whole("depth", 1..=DEEPEST)?;
@@ -185,7 +176,7 @@ fn whitted(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
 /// How the samples of a table are placed: by a rule, or by a pattern, which has no fields.
 #[derive(Clone, Copy)]
 enum Placed {
-    By(fn(&Fields) -> Result<Sampler<'static>, TextError>),
+    By(Make<Sampler<'static>>),
     In(&'static Pattern),
 }
 

@@ -1,6 +1,6 @@
 //! Shapes, and where they are placed.
 
-use crate::fields::Fields;
+use crate::fields::{Fields, Make};
 use crate::lights::corner_and_edges;
 use crate::materials::Materials;
 use crate::wrong::TextError;
@@ -29,11 +29,8 @@ pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thin
     Ok(things)
 }
 
-/// A shape of the table of its kind.
-type Make = fn(&Fields) -> Result<Arc<dyn Shape>, TextError>;
-
 /// The kinds by their words, of which a mesh may bring materials of its own.
-const KINDS: [(&str, Make); 6] = [
+const KINDS: [(&str, Make<Arc<dyn Shape>>); 6] = [
     ("sphere", sphere),
     ("plane", plane),
     ("box", cuboid),

@@ -37,15 +37,26 @@ fn answered(said: &[Said]) -> (usize, String) {
     (count, why.unwrap_or_default())
 }
 
+/// Whether a limit of 0.7 s is told, which is longer on a slow machine, and no more is answered than can be in it: each answer takes a
+/// twentieth of a second.
+fn is_limited((count, why): &(usize, String), whole: &str) -> bool {
+    let limit = why.split_once(&format!("{whole} together may take "));
+    let limit = limit.and_then(|(_, rest)| rest.split_once(" s"));
+    let seconds = limit.and_then(|(seconds, _)| seconds.parse::<f64>().ok());
+    seconds.is_some_and(|seconds| {
+        seconds > 0.699 && *count > 0 && *count as f64 <= (20.0 * seconds).ceil()
+    })
+}
+
 #[test]
 fn time_is_limited_for_an_exercise_and_for_a_check() {
     let script = "while read q; do sleep 0.05; echo \"= $q\"; done";
     let mut limits = PATIENT;
     limits.exercise.time = Duration::from_millis(700);
     let said = within(script, 400, limits);
-    let (count, why) = answered(&said);
-    assert!((1..15).contains(&count), "some are answered: {count}");
-    assert!(why.contains("an exercise together may take 0.7 s"), "{why}");
+    let told = answered(&said);
+    assert!(is_limited(&told, "an exercise"), "{told:?}");
+    let (count, why) = told;
     let help = said[count].help();
     assert!(
         !why.contains("--") && help.contains("--case N"),
@@ -60,9 +71,8 @@ fn time_is_limited_for_an_exercise_and_for_a_check() {
     limits.exercise.time = Duration::from_secs(60);
     limits.check.time = Duration::from_millis(700);
     let said = within(script, 400, limits);
-    let (count, why) = answered(&said);
-    assert!((1..15).contains(&count), "some are answered: {count}");
-    assert!(why.contains("a check together may take 0.7 s"), "{why}");
+    let told = answered(&said);
+    assert!(is_limited(&told, "a check"), "{told:?}");
     assert!(matches!(said[400], Said::Over(_)), "a check has it once");
 }
 

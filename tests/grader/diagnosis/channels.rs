@@ -1,6 +1,6 @@
 //! What is wrong in one channel or along one axis only is named by it; and a colour's numbers are red, green and blue.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use super::phong::{Phong, phong};
 use glam::{DVec3, Vec3Swizzles as _};
 

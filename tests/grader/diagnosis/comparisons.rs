@@ -1,6 +1,6 @@
 //! A comparison of other numbers than the right ones is named by what it decides.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use glam::{DVec2, DVec3};
 
 #[test]

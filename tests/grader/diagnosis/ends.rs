@@ -1,6 +1,6 @@
 //! What is made of the ends of an interval: one that is not asked, and a distance that is moved to one.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use glam::DVec3;
 
 /// The numbers of vectors that begin at these places of a question.

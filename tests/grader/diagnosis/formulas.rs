@@ -1,6 +1,6 @@
 //! What goes wrong within a formula is named: brackets, powers, one component, a value that does not belong there, one of several things.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use super::phong::{Phong, phong};
 use glam::DVec3;
 use raybook_grader::cases;

@@ -1,6 +1,6 @@
 //! What is only guessed: a guess says so, says what is likeliest first, and is not made where chance would do as well.
 
-use super::operations::{diagnosed, found, right};
+use super::function::{diagnosed, found, right};
 use glam::DVec3;
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Beside, Diagnosis};

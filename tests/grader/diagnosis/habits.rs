@@ -1,6 +1,6 @@
 //! Slips that people make at any comparison, loop or operation are named in every exercise whose steps have one.
 
-use super::operations::{diagnosed, found, right};
+use super::function::{diagnosed, found, right};
 use glam::{DVec3, UVec3};
 
 #[test]

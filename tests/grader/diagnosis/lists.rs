@@ -1,7 +1,7 @@
 //! Slips in lists: too short, wrong at an end, one of several alike, numbers of the element before; and what is wrong for some questions
 //! only.
 
-use super::operations::{diagnosed, right};
+use super::function::{diagnosed, right};
 use raybook_grader::diagnose::Diagnosis;
 
 /// The diagnosis of right lists of elements of this many numbers, changed.

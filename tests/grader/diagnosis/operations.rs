@@ -1,49 +1,8 @@
 //! Slips in one operation are named by what goes into a step; and where no mistake gives the same answers, or there are none, the
 //! branch of the calculation is told.
 
+use super::function::diagnosed;
 use raybook_grader::cases;
-use raybook_grader::diagnose::{Diagnosis, diagnose};
-use raybook_grader::examine::visible_rng;
-use raybook_grader::explain::find;
-use raybook_grader::explain::way::Way;
-use raybook_workbook::row;
-
-/// The diagnosis of a function from the numbers of a question to those of an answer; `None` gives no answer.
-pub fn diagnosed(exercise: &str, function: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Diagnosis {
-    found(exercise, function).expect("it has a name")
-}
-
-/// The same, if there is anything to say.
-pub fn found(exercise: &str, function: impl Fn(&[f64]) -> Option<Vec<f64>>) -> Option<Diagnosis> {
-    let examiner = cases::find(exercise).expect("the exercise exists");
-    let asked = examiner.asked();
-    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
-    let answers: Vec<_> = cases
-        .iter()
-        .map(|case| {
-            let question = asked.read_question(&case.question).expect("a question");
-            let Some(answer) = function(&question) else {
-                return (None, false);
-            };
-            let answer = row::format(asked.answer.kind, &answer);
-            let verdict = examiner.judge(&case.question, &case.answers, &answer);
-            (Some(answer), verdict.is_ok())
-        })
-        .collect();
-    diagnose(examiner, &cases, &answers)
-}
-
-/// The right answer to a question.
-pub fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let examiner = cases::find(exercise).expect("the exercise exists");
-    (examiner.asked().call)(question)
-}
-
-/// The same on the way that is explained, in double precision.
-pub fn told(exercise: &str, question: &[f64]) -> Vec<f64> {
-    let explainer = find(exercise).expect("it has steps");
-    (explainer.work)(0, question, &mut Way::default())
-}
 
 /// Fresnel's equations; `term` is n₂ cos θ₁ in the numerator of Rp.
 fn fresnel(q: &[f64], term: impl Fn(f64, f64) -> f64) -> Option<[f64; 3]> {

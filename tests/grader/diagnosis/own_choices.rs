@@ -1,6 +1,6 @@
 //! What everybody may choose, how far off the surface a ray starts, hides no mistake in the rest.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use glam::DVec3;
 
 #[test]

@@ -1,6 +1,6 @@
 //! A mistake that shows only where a question is special is told with what is special there.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use glam::DVec3;
 use raybook_grader::cases;
 

@@ -1,6 +1,6 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use raybook_grader::diagnose::Diagnosis;
 
 fn names(found: &Diagnosis) -> Vec<&str> {

@@ -1,6 +1,6 @@
 //! Slips in structures, of which many answers are right.
 
-use super::operations::{diagnosed, told};
+use super::function::{diagnosed, told};
 
 #[test]
 fn places_for_numbers_in_the_order_of_a_tree_are_named() {

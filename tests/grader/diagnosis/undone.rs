@@ -1,6 +1,6 @@
 //! A change is named where many answers are right, and the student's are not those of the reference: without the change they are right.
 
-use super::operations::diagnosed;
+use super::function::diagnosed;
 use glam::{DVec2, DVec3};
 use raybook_grader::cases;
 use raybook_grader::diagnose::diagnose;

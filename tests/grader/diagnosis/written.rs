@@ -1,6 +1,6 @@
 //! Numbers that are written into a program, the order of things, a value times a number; and what all answers tell together.
 
-use super::operations::{diagnosed, right, told};
+use super::function::{diagnosed, right, told};
 use glam::{DVec2, DVec3, IVec2};
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, visible_rng};

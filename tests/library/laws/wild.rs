@@ -60,15 +60,17 @@ const SHAPES: &[Build] = &[
         Some(Box::new(Meshed::new(mesh.ok()?, List::new)))
     },
     |[center, translation, _], axis, scale| {
-        Some(Box::new(Instance {
-            shape: Arc::new(Sphere {
-                center,
-                radius: 1.0,
-            }),
+        let shape = Arc::new(Sphere {
+            center,
+            radius: 1.0,
+        });
+        let instance = Instance {
+            shape,
             scale,
             rotation: Mat3::from_axis_angle(*axis, 1.0),
             translation,
-        }))
+        };
+        (scale > 0.0).then(|| Box::new(instance) as _)
     },
 ];
 

@@ -61,8 +61,19 @@ class Words:
             raise ValueError(f"`{self.rest[-1]}` is one word too many")
 
 
+@functools.lru_cache(maxsize=None)
+def fields_of(record: Any) -> List[Tuple[str, str]]:
+    """The names of a record's fields, and what each is declared as."""
+    fields = getattr(record, "__dataclass_fields__", {}).values()
+    return [(field.name, str(field.type)) for field in fields]
+
+
 def words_of(value: Any, declared: str, types: Mapping[str, Any]) -> str:
     """A value as the words of an answer. Where a list is declared, they begin with its length; all else is a row of numbers."""
+    if type(value) in (float, int):  # nearly every value is one
+        return str(value)
+    if fields := fields_of(type(value)):
+        return " ".join([words_of(getattr(value, name), kind, types) for name, kind in fields])
     if hasattr(value, "tolist"):  # numpy's numbers and arrays
         value = value.tolist()
     if value is None:
@@ -74,19 +85,16 @@ def words_of(value: Any, declared: str, types: Mapping[str, Any]) -> str:
     if isinstance(value, complex):
         raise ValueError(f"math domain error: {value} is complex, as the root of a negative number is")
     declared = declared.replace(" | None", "")
-    record = value if hasattr(value, "__dataclass_fields__") else types.get(declared)
-    is_list = declared.startswith("list[") and record is not value
-    kinds = [str(field.type) for field in getattr(record, "__dataclass_fields__", {}).values()]
-    if record is value:
-        values = [getattr(value, name) for name in value.__dataclass_fields__]
-    elif isinstance(value, Iterable) and not isinstance(value, dict if is_list else (dict, set)):
-        values = list(value)
-    else:
+    is_list = declared.startswith("list[")
+    if not isinstance(value, Iterable) or isinstance(value, dict if is_list else (dict, set)):
         raise TypeError(f"an answer has no {type(value).__name__} in it, such as {value!r:.60}")
+    values = list(value)
     if is_list:
         kinds = [declared[len("list[") : -1]] * len(values)
-    elif len(kinds) != len(values):  # other parts than the record's: what is a list stays one
-        kinds = ["list[]" if isinstance(one, list) else "" for one in values]
+    else:
+        kinds = [kind for _, kind in fields_of(types.get(declared))]
+        if len(kinds) != len(values):  # other parts than the record's: what is a list stays one
+            kinds = ["list[]" if isinstance(one, list) else "" for one in values]
     words = [words_of(one, kind, types) for one, kind in zip(values, kinds)]
     return " ".join([str(len(values)), *words] if is_list else words)
 "#;
@@ -95,7 +103,7 @@ def words_of(value: Any, declared: str, types: Mapping[str, Any]) -> str:
 pub fn program(asked: &Asked) -> String {
     let name = asked.name;
     let mut text = format!(
-        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport math\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, TypeVar, Union\n\n{WORDS}",
+        "\"\"\"{name}: {task}\n\nAsk it: raybook check {name} --program this_file.py\n\"\"\"\n\nfrom __future__ import annotations\n\nimport functools\nimport math\nimport sys\nfrom dataclasses import dataclass\nfrom typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple, TypeVar, Union\n\n{WORDS}",
         task = asked.task,
     );
     for found in types_of(asked) {

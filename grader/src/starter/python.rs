@@ -19,8 +19,9 @@ const IMPORTS: &str = "\"\"\"The words of questions and answers. raybook wrote t
 
 from __future__ import annotations
 
+import functools
 import math
-from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, TypeVar
+from typing import Any, Callable, Dict, Iterable, List, Mapping, Optional, Tuple, TypeVar
 ";
 
 /// All files.

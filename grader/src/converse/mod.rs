@@ -69,6 +69,9 @@ const WHERE: Duration = Duration::from_secs(1);
 /// What a program has written to standard error arrives within this time from the end of its standard output.
 const LAST_WORDS: Duration = Duration::from_millis(50);
 
+/// Bytes for which any empty pipe has room (`PIPE_BUF`).
+const AT_ONCE: usize = 4096;
+
 /// How long to wait, besides the limits.
 #[derive(Clone, Copy)]
 pub(crate) struct Waits {
@@ -127,6 +130,11 @@ impl Questions {
     }
 
     fn write(&self, text: String) {
+        // Who has read everything has room for so little, and a thread need not be woken for it.
+        if text.len() <= AT_ONCE && self.are_read() {
+            let _ = (&*self.pipe).write_all(text.as_bytes());
+            return;
+        }
         self.unwritten.fetch_add(1, Ordering::SeqCst);
         // The writer has gone where the program has ended, which is heard elsewhere.
         let _ = self.to_write.send(text);

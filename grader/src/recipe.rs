@@ -7,10 +7,10 @@
 //! ```
 
 use crate::starter::MARKER;
-use raybook::store::{self, StoreError};
-use raybook_chapters::kit::untrusted::Untrusted;
-use std::path::{Path, PathBuf};
-use toml::Table;
+use raybook::store;
+use raybook_scenes::fields::Fields;
+use raybook_scenes::wrong::{Source, TextError};
+use std::path::Path;
 
 /// How a workbook's program is made.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -32,79 +32,40 @@ pub struct Commands {
     pub run: Vec<String>,
 }
 
-/// Why a workbook's `raybook.toml` is no recipe.
-#[derive(Debug, thiserror::Error)]
-pub enum RecipeError {
-    /// It cannot be read.
-    #[error(transparent)]
-    Store(#[from] StoreError),
-    /// It is not TOML; the message has line and column.
-    #[error("{}: {message}", Untrusted::from(path.as_path()))]
-    NoToml {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong, and where.
-        message: Untrusted,
-    },
-    /// A key is missing, unknown or wrong.
-    #[error(
-        "{}: {what}; such a file has three lines: language = \"perl\", build = \"make -s\" (if it is to be built) and run = \"perl answer.pl\"",
-        Untrusted::from(path.as_path())
-    )]
-    Wrong {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong.
-        what: Untrusted,
-    },
-}
-
 impl Recipe {
     /// The recipe of a workbook's folder.
     ///
     /// # Errors
-    /// If the file cannot be read, is not TOML, or says something else.
-    pub fn read(folder: &Path) -> Result<Self, RecipeError> {
+    /// If the file cannot be read; what is wrong in it, with its line and column.
+    pub fn read(folder: &Path) -> Result<Self, TextError> {
         let path = folder.join(MARKER);
         let text = store::read_text(&path)?;
-        let table: Table = match text.parse() {
-            Ok(table) => table,
-            Err(error) => {
-                let message = error.to_string().trim_end().to_owned().into();
-                return Err(RecipeError::NoToml { path, message });
-            }
+        let source = Source {
+            path: &path,
+            text: &text,
         };
-        Self::of(&table).map_err(|what| RecipeError::Wrong {
-            path,
-            what: what.into(),
-        })
+        let parsed = source.parse()?;
+        let fields = Fields::new(source, "a workbook", 0, parsed.get_ref());
+        let recipe = Self::of(&fields)?;
+        fields.finish()?;
+        Ok(recipe)
     }
 
-    fn of(table: &Table) -> Result<Self, String> {
-        const KEYS: [&str; 3] = ["language", "build", "run"];
-        if let Some(key) = table.keys().find(|key| !KEYS.contains(&key.as_str())) {
-            return Err(format!("`{key}` is none of language, build and run"));
-        }
-        let text = |key: &str| match table.get(key) {
-            None => Ok(None),
-            Some(toml::Value::String(text)) => Ok(Some(text.as_str())),
-            Some(_) => Err(format!("`{key}` should be text in quotes")),
+    fn of(fields: &Fields<'_>) -> Result<Self, TextError> {
+        let language = fields.text("language")?.unwrap_or("rust");
+        let command = |fields: &Fields<'_>, key| {
+            let expected = "a command in quotes, such as \"perl answer.pl\"";
+            fields.get(key, expected, |value| split(value.as_str()?))
         };
-        let words = |key: &str| {
-            text(key)?
-                .map(|line| split(line).ok_or_else(|| format!("`{key}` is no command: {line}")))
-                .transpose()
-        };
-        let language = text("language")?.unwrap_or("rust");
-        match (words("build")?, words("run")?) {
-            (None, None) if language == "rust" => Ok(Self::Rust),
-            (_, None) => Err("`run` is missing".to_owned()),
-            (build, Some(run)) => Ok(Self::Commands(Commands {
-                language: language.to_owned(),
-                build,
-                run,
-            })),
+        let build = command(fields, "build")?;
+        if language == "rust" && build.is_none() && fields.value("run").is_none() {
+            return Ok(Self::Rust);
         }
+        Ok(Self::Commands(Commands {
+            language: language.to_owned(),
+            build,
+            run: fields.need("run", command)?,
+        }))
     }
 
     /// The language, for people and for finding its starter.

@@ -3,10 +3,11 @@
 use crate::contain;
 use crate::converse::Program;
 use crate::language::Language;
-use crate::recipe::{Commands, Recipe, RecipeError};
+use crate::recipe::{Commands, Recipe};
 use crate::sandbox::Sandbox;
 use crate::starter::{self, MARKER};
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_scenes::wrong::TextError;
 use serde_json::Value;
 use std::io::{self, ErrorKind};
 use std::panic::resume_unwind;
@@ -23,7 +24,7 @@ pub enum StudentError {
     NoWorkbook(PathBuf),
     /// Its `raybook.toml` is wrong.
     #[error(transparent)]
-    Recipe(#[from] RecipeError),
+    Recipe(#[from] TextError),
     /// The command that builds it is not there.
     #[error("cannot run `{}`, which builds your program: {reason}; is it installed?", Untrusted::from(command.as_str()))]
     NoBuilder {

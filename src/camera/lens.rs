@@ -40,6 +40,12 @@ pub enum LensError {
         /// The distance that was asked for, in metres.
         focus: f32,
     },
+    /// The aperture's diameter is not a finite number, 0 or above.
+    #[error("an aperture with a diameter of {0} m: it needs a finite one, 0 or above")]
+    Diameter(f32),
+    /// The plane in focus is not at a finite distance in front of the lens.
+    #[error("a lens cannot focus at {0} m: it needs a finite distance above 0")]
+    Plane(f32),
 }
 
 impl Lens {

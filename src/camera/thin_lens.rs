@@ -74,13 +74,19 @@ impl ThinLens {
     /// The film stays at the distance d behind the lens, and f = d s/(d + s) follows from the thin-lens equation.
     ///
     /// # Errors
-    /// As for [`Lens::new`].
+    /// If the diameter is not finite or below 0, or the focus is not finite and above 0; else as for [`Lens::new`].
     pub fn with_view(
         view: &Pinhole,
         diameter: f32,
         focus: f32,
         aperture: Aperture,
     ) -> Result<Self, LensError> {
+        if !(diameter >= 0.0 && diameter.is_finite()) {
+            return Err(LensError::Diameter(diameter));
+        }
+        if !(focus > 0.0 && focus.is_finite()) {
+            return Err(LensError::Plane(focus));
+        }
         let film = view.focal_length;
         let focal_length = film * focus / (film + focus);
         Ok(Self {

@@ -27,6 +27,7 @@ impl MipMap {
     ///
     /// # Panics
     /// If the picture has no pixel.
+    #[track_caller]
     pub fn new(picture: &Image) -> Self {
         assert!(!picture.pixels().is_empty(), "a texture has pixels");
         let finite = |v: f32| if v.is_finite() { v } else { 0.0 };

@@ -66,6 +66,7 @@ impl Image {
     ///
     /// # Panics
     /// If x or y is outside the picture.
+    #[track_caller]
     pub fn at(&self, x: usize, y: usize) -> Rgb {
         assert!(
             x < self.width && y < self.height,
@@ -80,6 +81,7 @@ impl Image {
     ///
     /// # Panics
     /// If x or y is outside the picture.
+    #[track_caller]
     pub fn set(&mut self, x: usize, y: usize, colour: Rgb) {
         assert!(
             x < self.width && y < self.height,

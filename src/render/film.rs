@@ -87,7 +87,15 @@ pub type Pixel<'a, T> = dyn Fn(usize, usize, &mut Pcg) -> (T, u64) + Sync + 'a;
 impl Film<'_> {
     /// A film of `width` × `height` pixels with `samples` samples each, for all processors, with the seed 0, a box as its filter, and
     /// without progress reports.
+    ///
+    /// # Panics
+    /// If the width, the height or the number of samples is 0.
+    #[track_caller]
     pub fn new(width: usize, height: usize, samples: usize) -> Self {
+        assert!(
+            width > 0 && height > 0 && samples > 0,
+            "a film of {width} × {height} pixels with {samples} samples each has no picture: all three are at least 1"
+        );
         Self {
             width,
             height,

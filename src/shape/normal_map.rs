@@ -30,6 +30,7 @@ impl NormalMap {
     ///
     /// # Panics
     /// If the picture has no pixel.
+    #[track_caller]
     pub fn new(picture: &Image) -> Self {
         Self {
             map: MipMap::new(&picture.map(|pixel| pixel.map(|v| 2.0 * v - 1.0))),

@@ -40,8 +40,12 @@ impl Sphere {
     ///
     /// # Panics
     /// If they are outside the [domain](crate::math::domain). For numbers from a file, use [`Sphere::checked`].
+    #[track_caller]
     pub fn new(center: Vec3, radius: f32) -> Self {
-        Self::checked(center, radius).unwrap_or_else(|error| panic!("{error}"))
+        match Self::checked(center, radius) {
+            Ok(sphere) => sphere,
+            Err(error) => panic!("{error}"),
+        }
     }
 
     /// A sphere from its centre and radius, in metres.

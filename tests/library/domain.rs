@@ -14,6 +14,7 @@ use raybook::accel::{
 use raybook::math::domain::{LARGEST, SMALLEST};
 use raybook::math::pcg::{self, Pcg};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh, MeshError};
 use raybook::shape::sphere::{Sphere, SphereError};
 use raybook::shape::triangle::Triangle;
@@ -293,5 +294,13 @@ fn spheres_are_hit_in_the_whole_domain() {
                 "1e{power}, {x}: {found:?}, not {expected:?}"
             );
         }
+    }
+}
+
+#[test]
+fn a_film_without_a_pixel_or_a_sample_is_refused_where_it_is_made() {
+    for [width, height, samples] in [[0, 10, 1], [10, 0, 1], [10, 10, 0]] {
+        let made = std::panic::catch_unwind(|| Film::new(width, height, samples));
+        assert!(made.is_err(), "{width} × {height}, {samples} samples");
     }
 }

@@ -8,6 +8,10 @@ use std::fs;
 const TEXTS: &[(&str, &str)] = &[
     ("", "test.toml:1:1: a scene needs `camera`"),
     (
+        "[Camera]\n",
+        "test.toml:1:2: a scene needs `camera`: is it meant by `Camera`?",
+    ),
+    (
         "x = ",
         "test.toml:1:5: this is not valid TOML: string values must be quoted, expected literal string",
     ),
@@ -95,6 +99,10 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     (
         "[[shapes]]\nkind = \"sphere\"\n",
         "4:1: a shape of the kind `sphere` needs `center_m`",
+    ),
+    (
+        "[[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_mm = 1000\n",
+        "7:1: a shape of the kind `sphere` needs `radius_m`: is it meant by `radius_mm`?",
     ),
     (
         "[[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 0\nmaterial = { kind = \"matte\", colour = 1 }\n",

@@ -6,6 +6,7 @@ use crate::wrong::{Source, TextError, did_you_mean, listed, shown};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, domain::LARGEST};
+use std::borrow::Cow;
 use std::cell::RefCell;
 use std::ops::RangeInclusive;
 use toml::Spanned;
@@ -83,9 +84,26 @@ impl<'a> Fields<'a> {
         read: impl Fn(&Self, &'static str) -> Result<Option<T>, TextError>,
     ) -> Result<T, TextError> {
         read(self, key)?.ok_or_else(|| {
-            let message = format!("{} needs {}", self.what, shown(key));
-            self.source.wrong(self.start, message)
+            let needs = format!("{} needs {}", self.what, shown(key));
+            self.nearly(key).map_or_else(
+                || self.source.wrong(self.start, &needs),
+                |name| {
+                    let message = format!("{needs}: is it meant by {}?", shown(name.get_ref()));
+                    self.source.wrong(name.span().start, message)
+                },
+            )
         })
+    }
+
+    /// The first field that nobody has read and that is called nearly so.
+    fn nearly(&self, key: &str) -> Option<&'a Spanned<Cow<'a, str>>> {
+        let asked = self.asked.borrow();
+        let is_near = |name: &&'a Spanned<Cow<'a, str>>| {
+            let name = &**name.get_ref();
+            !asked.contains(&name) && !did_you_mean(name, [key]).is_empty()
+        };
+        let names = self.table.iter().map(|(name, _)| name);
+        names.filter(is_near).min_by_key(|name| name.span().start)
     }
 
     /// A length in metres, above 0.
@@ -322,10 +340,7 @@ impl<'a> Fields<'a> {
     /// The first field that was not read.
     pub fn finish(self) -> Result<(), TextError> {
         let asked = self.asked.borrow();
-        let unknown = |name: &&Spanned<_>| {
-            let name: &std::borrow::Cow<str> = name.get_ref();
-            !asked.contains(&&**name)
-        };
+        let unknown = |name: &&Spanned<Cow<str>>| !asked.contains(&&**name.get_ref());
         let names = self.table.iter().map(|(name, _)| name);
         let Some(first) = names.filter(unknown).min_by_key(|name| name.span().start) else {
             return Ok(());

@@ -1,6 +1,7 @@
 //! A program that answers: how it is started, and why it is not.
 
 use crate::sandbox::Sandbox;
+use crate::starter::MARKER;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::ffi::OsString;
 use std::io;
@@ -28,6 +29,9 @@ pub(super) fn cannot_start(program: &Program, error: &io::Error) -> io::Error {
         }
         io::ErrorKind::NotFound if program.file.exists() => {
             "; the file is there: is the program that its first line names after `#!`?".to_owned()
+        }
+        io::ErrorKind::NotFound if program.file.components().count() == 1 => {
+            format!("; is it installed? {MARKER} says in its line `run` what is started")
         }
         _ => String::new(),
     };

@@ -15,6 +15,26 @@ struct Death {
 
 const DEATHS: &[Death] = &[
     Death {
+        words: &["SyntaxError", "IndentationError", "TabError"],
+        name: "is in a file that Python cannot read",
+        hint: "Python reads all of a file before it calls a function of it: look at the line that the message shows, and at the one before it, for a bracket, a colon or an indentation that is missing.",
+    },
+    Death {
+        words: &["ModuleNotFoundError", "ImportError"],
+        name: "imports what is not there",
+        hint: "Is the module that the message names installed for the Python that runs your program? If it is a file of this folder: is it there, under this name? `raybook new` makes another folder with all of them, from which you can copy it.",
+    },
+    Death {
+        words: &["NameError"],
+        name: "uses a name that means nothing there",
+        hint: "Is the name in the message spelt as where it is given a value, and does every way to that line pass the place where it is? Is what it stands for imported?",
+    },
+    Death {
+        words: &["AttributeError"],
+        name: "asks for a member that is not there",
+        hint: "The comment of the function names the members of all that it is given: which of them is meant?",
+    },
+    Death {
         words: &[
             "division by zero",
             "divide by zero",

@@ -1,12 +1,12 @@
 //! The starter in C++17: a file per chapter for the student, and the folder `raybook` with what these need.
 
-use super::stub::{SHARED, comment, file, own_types, wrapped};
+use super::stub::{SHARED, comment, file, members, own_types, wrapped};
 use super::{StarterFile, readme};
 use crate::reader::cpp::{WORDS, class, read, reading, type_of};
-use crate::reader::{self, Type, safe, types_of};
+use crate::reader::{Type, safe, types_of};
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::{Field, Kind, VECTOR};
+use raybook_workbook::kind::{Field, Kind};
 use std::fmt::Write;
 
 /// What the generated files say first.
@@ -170,24 +170,7 @@ fn notes(asked: &Asked) -> String {
     if matches!(asked.answer.kind, Kind::Optional(_)) {
         notes.push("Where there is none: `return std::nullopt;`.".to_owned());
     }
-    let members = |found: &Type| match found {
-        Type::Numbers(_, parts) => parts.join(", "),
-        Type::Record(record) => {
-            let names = record.fields.iter().map(|field| safe(field.name));
-            names.collect::<Vec<_>>().join(", ")
-        }
-    };
-    let fields = asked.parameters().iter().chain([&asked.answer]);
-    let mut types = Vec::new();
-    for field in fields {
-        reader::types(field.kind, &mut types);
-    }
-    let told = |found: &Type| format!("{} {{ {} }}", found.name(), members(found));
-    let records = types.iter().filter(|found| found.name() != VECTOR.name);
-    let records: Vec<_> = records.map(told).collect();
-    if !records.is_empty() {
-        notes.push(format!("Members: {}.", records.join(", ")));
-    }
+    notes.extend(members(asked));
     let lines = notes.iter().map(|note| wrapped(note, "// ", "//     "));
     lines.collect()
 }

@@ -1,6 +1,6 @@
 //! The starter in Python: a file per chapter for the student, and the folder `raybook` with what these need.
 
-use super::stub::{SHARED, comment, file, own_types};
+use super::stub::{SHARED, comment, file, members, own_types, wrapped};
 use super::{StarterFile, readme};
 use crate::book::WIDEST;
 use crate::reader::python::{WORDS, class, read, type_of};
@@ -171,7 +171,10 @@ pub fn signature(asked: &Asked) -> String {
 
 fn stub(asked: &Asked) -> String {
     let signature = signature(asked);
-    let comment = comment(asked, "    ", parameter);
+    let mut comment = comment(asked, "    ", parameter);
+    if let Some(members) = members(asked) {
+        comment.push_str(&wrapped(&members, "    ", "        "));
+    }
     format!(
         "\n\n{signature}\n    \"\"\"{}    \"\"\"\n    raise NotImplementedError(\"{}\")  # write it here\n",
         comment.trim_start(),

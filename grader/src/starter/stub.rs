@@ -1,10 +1,10 @@
 //! What the stubs of all languages say, taken from the declaration of an exercise.
 
 use super::StarterFile;
-use crate::reader::{Type, types_of};
+use crate::reader::{Type, safe, types, types_of};
 use raybook_workbook::curriculum::Chapter;
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::{Field, Kind};
+use raybook_workbook::kind::{Field, Kind, VECTOR};
 use std::path::PathBuf;
 
 /// The width of a comment, in letters.
@@ -50,6 +50,27 @@ pub fn comment(asked: &Asked, prefix: &str, name: impl Fn(&str) -> String) -> St
     let returns = format!("Returns {}: {}", asked.answer.name, asked.answer.meaning);
     text.push_str(&wrapped(&returns, prefix, &hanging));
     text
+}
+
+/// The members of the types that are given and returned, which would have to be looked up; `None` if there are none but vectors.
+pub fn members(asked: &Asked) -> Option<String> {
+    let names = |found: &Type| match found {
+        Type::Numbers(_, parts) => parts.join(", "),
+        Type::Record(record) => {
+            let names = record.fields.iter().map(|field| safe(field.name));
+            names.collect::<Vec<_>>().join(", ")
+        }
+    };
+    let mut all = Vec::new();
+    for field in asked.parameters().iter().chain([&asked.answer]) {
+        types(field.kind, &mut all);
+    }
+    let told = all
+        .iter()
+        .filter(|found| found.name() != VECTOR.name)
+        .map(|found| format!("{} {{ {} }}", found.name(), names(found)));
+    let told: Vec<_> = told.collect();
+    (!told.is_empty()).then(|| format!("Members: {}.", told.join(", ")))
 }
 
 /// What a field means; a direction has length 1 when it arrives.

@@ -44,6 +44,7 @@ impl Environment {
     ///
     /// # Panics
     /// If the map has no texel.
+    #[track_caller]
     pub fn new(mut map: Image) -> Self {
         let (width, height) = (map.width(), map.height());
         assert!(width * height > 0, "a map of directions has texels");

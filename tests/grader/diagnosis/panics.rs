@@ -82,6 +82,24 @@ fn a_missing_guard_is_named_by_what_the_function_dies_of() {
             "attempt to add with overflow",
             "makes a whole number of a number that is infinite, NaN, or too large",
         ),
+        (
+            "plane_hit",
+            "parallel to it",
+            "AttributeError: 'NoneType' object has no attribute 'x'",
+            "goes on with an answer that is none",
+        ),
+        (
+            "plane_hit",
+            "parallel to it",
+            "AttributeError: 'Ray' object has no attribute 'start'",
+            "asks for a member that is not there",
+        ),
+        (
+            "plane_hit",
+            "parallel to it",
+            "NameError: name 'inf' is not defined",
+            "uses a name that means nothing there",
+        ),
     ] {
         let found = found(exercise, message, |one| one.name == case, rightly);
         let found = found.unwrap_or_else(|| panic!("{exercise}: nothing is named"));
@@ -128,6 +146,27 @@ fn an_error_beside_another_mistake_is_told_with_its_case_and_its_line() {
         let number = place.map_or(0, |place| cases[place].number);
         let told = format!("It is case {number}, \"parallel to it\", in ch04_plane.py:12.");
         assert!(stopped.hint.ends_with(&told), "{}", stopped.hint);
+    }
+}
+
+#[test]
+fn a_file_that_cannot_be_loaded_is_no_function_that_stops() {
+    for (message, name) in [
+        (
+            "SyntaxError: invalid syntax (ch04_plane.py, line 12)",
+            "is in a file that Python cannot read",
+        ),
+        (
+            "IndentationError: unexpected indent (ch04_plane.py, line 12)",
+            "is in a file that Python cannot read",
+        ),
+        (
+            "ModuleNotFoundError: No module named 'ch04_plane'",
+            "imports what is not there",
+        ),
+    ] {
+        let found = found("plane_hit", message, |_| true, rightly).expect("it is told");
+        assert_eq!((found.name.as_str(), found.certain), (name, true));
     }
 }
 

@@ -43,25 +43,37 @@ fn the_books_example_in_perl_is_right() {
 fn a_wrong_recipe_is_explained() {
     let home = tempfile::tempdir().expect("a temporary folder");
     for (text, part) in [
-        ("language = \"perl\"\n", "`run` is missing"),
-        ("language = perl\n", "line 1, column 12"),
-        ("language = \"perl\"\nrun = 3\n", "`run` should be text"),
+        (
+            "language = \"perl\"\n",
+            "raybook.toml:1:1: a workbook needs `run`",
+        ),
+        (
+            "language = perl\n",
+            "raybook.toml:1:12: this is not valid TOML",
+        ),
+        (
+            "language = \"perl\"\nrun = 3\n",
+            "2:7: `run` must be a command in quotes",
+        ),
         (
             "language = \"perl\"\nrum = \"perl a.pl\"\n",
-            "`rum` is none of",
+            "2:1: a workbook needs `run`: is it meant by `rum`?",
         ),
         (
             "language = \"perl\"\nrun = \"perl 'a.pl\"\n",
-            "`run` is no command",
+            "2:7: `run` must be a command",
         ),
-        ("language = \"perl\"\nrun = \"\"\n", "`run` is no command"),
+        (
+            "language = \"perl\"\nrun = \"\"\n",
+            "2:7: `run` must be a command",
+        ),
         (
             "language = \"c\"\nbuild = \"no-such-compiler a.c\"\nrun = \"./a\"\n",
             "cannot run `no-such-compiler a.c`",
         ),
         (
             "language = \"c\"\nrun = \"no-such-program\"\n",
-            "no-such-program: cannot be run",
+            "is it installed? raybook.toml says",
         ),
     ] {
         write(home.path(), "raybook.toml", text);

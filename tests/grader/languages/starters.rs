@@ -246,17 +246,18 @@ fn an_index_beyond_the_end_stops_the_program_in_cpp() {
 }
 
 #[test]
-fn a_stub_in_cpp_tells_what_would_be_looked_up() {
-    let files = cpp::files();
-    let chapter = files
-        .iter()
-        .find(|(path, _)| path == Path::new("ch06_triangle.cpp"));
-    let text = text(chapter.expect("a chapter"));
-    for line in [
-        "// Where there is none: `return std::nullopt;`.\n",
-        "// Members: Ray { origin, direction }, Interval { min, max }, TriangleHitAnswer { t, b1, b2 }.\n",
+fn a_stub_tells_what_would_be_looked_up() {
+    const MEMBERS: &str = "Members: Ray { origin, direction }, Interval { min, max }, TriangleHitAnswer { t, b1, b2 }.\n";
+    let in_cpp = "// Where there is none: `return std::nullopt;`.\n";
+    for (files, name, parts) in [
+        (cpp::files(), "ch06_triangle.cpp", &[MEMBERS, in_cpp][..]),
+        (python::files(), "ch06_triangle.py", &[MEMBERS]),
     ] {
-        assert!(text.contains(line), "{line}{text}");
+        let chapter = files.iter().find(|(path, _)| path == Path::new(name));
+        let text = text(chapter.expect("a chapter"));
+        for part in parts {
+            assert!(text.contains(part), "{part}{text}");
+        }
     }
 }
 

@@ -1,7 +1,11 @@
 //! What the numbers on a lens mean: circles of confusion, near and far, the hyperfocal distance.
 
+use glam::Vec3;
 use proptest::prelude::*;
+use raybook::camera::aperture::Aperture;
 use raybook::camera::lens::{Lens, LensError};
+use raybook::camera::pinhole::Pinhole;
+use raybook::camera::thin_lens::ThinLens;
 
 fn lens(focal_length: f32, f_number: f32, focus: f32) -> Lens {
     Lens::new(focal_length, f_number, focus).expect("a lens")
@@ -100,6 +104,29 @@ fn lenses_that_make_no_picture_are_refused() {
         lens(0.05, f32::INFINITY, 2.0).aperture(),
         0.0,
         "f/∞ is a pin-hole"
+    );
+}
+
+#[test]
+fn what_is_wrong_with_a_camera_of_a_given_aperture_is_told_of_what_was_given() {
+    let view = Pinhole::look_at(Vec3::ZERO, Vec3::Z, Vec3::Y, 0.05, 1.5).expect("a camera");
+    let refused = |diameter, focus| {
+        let camera = ThinLens::with_view(&view, diameter, focus, Aperture::Round);
+        camera.expect_err("no lens").to_string()
+    };
+    for diameter in [-1.0, f32::NAN, f32::INFINITY] {
+        let said = refused(diameter, 2.0);
+        let name = format!("a diameter of {diameter} m");
+        assert!(said.contains(&name), "{said}");
+    }
+    for focus in [0.0, -1.0, f32::NAN, f32::INFINITY] {
+        let said = refused(0.1, focus);
+        let name = format!("focus at {focus} m");
+        assert!(said.contains(&name), "{said}");
+    }
+    assert!(
+        ThinLens::with_view(&view, 0.0, 2.0, Aperture::Round).is_ok(),
+        "a pin-hole"
     );
 }
 

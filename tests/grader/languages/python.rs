@@ -82,7 +82,7 @@ fn a_list_is_counted_where_one_is_declared_and_is_a_row_elsewhere() {
     }
 }
 
-/// What a check says when this is the body of `ray_at`, in line 16 of its file.
+/// What a check says when this is the body of `ray_at`, in line 17 of its file.
 fn check(folder: &Path, body: &str) -> String {
     let file = folder.join("ch01_rays.py");
     let text = fs::read_to_string(&file).expect("it can be read");
@@ -123,7 +123,7 @@ fn an_error_is_told_where_the_student_wrote_it() {
         let folder = new(home.path(), name, Language::Python);
         let said = check(&folder, body);
         assert!(
-            said.contains(error) && said.contains("in ch01_rays.py:16."),
+            said.contains(error) && said.contains("in ch01_rays.py:17."),
             "{body}: {said}"
         );
         assert!(!said.contains("vec.py"), "a file of the course: {said}");

@@ -142,11 +142,11 @@ fn a_watch_follows_saves_and_survives_errors() {
     let recipe = folder.join("raybook.toml");
     let right = fs::read_to_string(&recipe).expect("there is a recipe");
     fs::write(&recipe, "run = 1\n").expect("it can be written");
-    heard.wait_for("`run` should be text");
+    heard.wait_for("`run` must be a command");
     let wrong = page(address);
     for part in [
         "role=\"alert\"",
-        "`run` should be text",
+        "`run` must be a command",
         "camera_ray</code>: right",
     ] {
         assert!(wrong.contains(part), "`{part}` is in {wrong}");

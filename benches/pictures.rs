@@ -14,6 +14,7 @@ use raybook::prelude::*;
 use raybook::render::shadow::shadow_ray;
 use raybook::scene::cornell;
 use raybook::shape::teapot;
+use raybook_scenes::gallery;
 use rustix::time::{ClockId, clock_gettime};
 use std::hint::black_box;
 use std::sync::{Arc, Mutex, PoisonError};
@@ -69,7 +70,8 @@ fn ball(x: f32, z: f32, radius: f32) -> Sphere {
 fn boxes(criterion: &mut Criterion) {
     let camera = view(cornell::EYE, vec3(0.278, 0.273, 0.0));
     bench(criterion, "Cornell box", &camera, &cornell::cornell_box());
-    bench(criterion, "glass ball", &camera, &cornell::with_balls());
+    let balls = gallery::CORNELL.shot(EDGE).expect("a scene");
+    bench(criterion, "glass ball", &camera, &balls.scene);
 }
 
 /// Hundreds of balls through a lens, under a round sun: a tree of spheres, and materials that take turns.

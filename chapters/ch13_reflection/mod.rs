@@ -1,7 +1,7 @@
 //! What a mirror shows is what another ray sees. So one ray asks for further rays, and together they form
 //! a tree. Where mirrors face each other, a maximum depth must end the tree.
 //!
-//! New: material/mirror.rs material/polished.rs render/whitted.rs scene/marbles.rs
+//! New: material/mirror.rs material/polished.rs render/whitted.rs
 
 pub mod kissing_balls;
 
@@ -18,8 +18,8 @@ use raybook::render::film::Film;
 use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::sampler::Sampler;
 use raybook::render::whitted::Whitted;
-use raybook::scene::marbles;
 use raybook::scene::world::Scene;
+use raybook_scenes::{Shot, gallery};
 use std::process::ExitCode;
 
 /// The pixel whose tree is drawn: its place on the film.
@@ -39,16 +39,14 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let [from, to] = marbles::VIEW;
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
-    let scene = marbles::scene();
+    let Shot { scene, camera, .. } = gallery::MARBLES.shot(film.width)?;
     let depth = knobs.depth;
     if stage.wants("picture") {
         let caption = format!(
             "Two mirrors, seven marbles, and a floor that reflects a little less than a quarter of what it receives. \
             Up to {depth} surfaces are followed in a row. There are no shadows yet."
         );
-        let picture = photograph(&film, &camera, &scene, depth);
+        let picture = photograph(&film, &*camera, &scene, depth);
         stage.picture("picture", &caption, &picture)?;
     }
 
@@ -60,8 +58,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             samples: 4,
             ..stage.tile(2, 1.0)
         };
-        let [from, to] = marbles::FROM_ABOVE;
-        let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
+        let above = ray_tree_figure::above(film.aspect())?;
         let view = photograph(&film, &above, &scene, depth);
         let tree = ray_tree::grow(
             &whitted(depth.min(5)),
@@ -106,7 +103,7 @@ fn whitted(depth: u32) -> Whitted {
     Whitted { local, depth }
 }
 
-fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, depth: u32) -> Image {
+fn photograph(film: &Film, camera: &dyn Camera, scene: &Scene, depth: u32) -> Image {
     film.render(camera, &Sampler::Refined, &whitted(depth), scene)
 }
 

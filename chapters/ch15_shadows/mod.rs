@@ -20,16 +20,16 @@ use raybook::render::local::Local;
 use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
-use raybook::scene::marbles;
 use raybook::scene::world::Scene;
+use raybook_scenes::{Shot, gallery};
 use std::process::ExitCode;
-use wrong_shadows::{Way, length, starts_off, without_end};
+use wrong_shadows::{ROOF, Way, length, starts_off, without_end};
 
 /// The pixel whose rays are drawn: its place on the film.
 const PIXEL: Vec2 = vec2(0.432, 0.76);
 
-/// Where the second picture looks: at three of the marbles.
-const CLOSE_UP: Vec3 = vec3(1.3, 0.4, 1.3);
+/// Where the camera of the second picture stands, and where it looks: at three of the marbles.
+const CLOSE_UP: [Vec3; 2] = [vec3(0.3, 3.1, 7.4), vec3(1.3, 0.4, 1.3)];
 
 /// What the pictures depend on.
 #[derive(Args, Clone, Debug)]
@@ -48,16 +48,14 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let [from, to] = marbles::VIEW;
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.042, film.aspect())?;
-    let scene = marbles::scene();
+    let Shot { scene, camera, .. } = gallery::MARBLES.shot(film.width)?;
     if stage.wants("picture") {
         let caption = "The marbles of chapter 13 with two shadows each: a shadow of the lamp, which is at the left, and a shadow \
             of the sun. Where both shadows fall, only ambient light is left.";
         stage.picture(
             "picture",
             caption,
-            &photograph(&film, &camera, &scene, &shadow::lit),
+            &photograph(&film, &*camera, &scene, &shadow::lit),
         )?;
     }
 
@@ -67,8 +65,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             samples: 2 * tile.samples, // acne is finer than pixels
             ..tile
         };
-        let near = Pinhole::look_at(from, CLOSE_UP, Vec3::Y, 0.08, film.aspect())?;
-        let roofed = marbles::under_roof();
+        let [from, to] = CLOSE_UP;
+        let near = Pinhole::look_at(from, to, Vec3::Y, 0.08, film.aspect())?;
+        let mut roofed = gallery::MARBLES.with(ROOF, film.width)?.scene;
+        roofed.lights.truncate(1); // the lamp; the roof takes the sun away
         let loose = format!("starts {} off: loose shadows", length(knobs.offset));
         let ways: [(&str, Way<'_>); 4] = [
             ("right", &shadow::lit),
@@ -99,8 +99,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         samples: 4,
         ..film
     };
-    let [from, to] = marbles::FROM_ABOVE;
-    let above = Pinhole::look_at(from, to, Vec3::Y, 0.038, film.aspect())?;
+    let above = ray_tree_figure::above(film.aspect())?;
     let view = photograph(&film, &above, &scene, &shadow::lit);
     let tree = ray_tree::grow(
         &whitted(shadow::lit as _),
@@ -123,7 +122,7 @@ fn whitted<A>(arrives: A) -> Whitted<A> {
     Whitted { local, depth: 8 }
 }
 
-fn photograph(film: &Film, camera: &Pinhole, scene: &Scene, arrives: Way<'_>) -> Image {
+fn photograph(film: &Film, camera: &dyn Camera, scene: &Scene, arrives: Way<'_>) -> Image {
     film.render(camera, &Sampler::Refined, &whitted(arrives), scene)
 }
 

@@ -10,6 +10,15 @@ use raybook::shape::Surface;
 /// A way to decide whether light arrives: a function, or a closure with parameters of its own.
 pub(super) type Way<'a> = &'a (dyn Fn(&Scene, &Surface, &LightSample) -> bool + Sync);
 
+/// A roof over the marbles, in the words of their file.
+pub(super) const ROOF: &str = r#"
+[[shapes]]
+kind = "plane"
+point_m = [0.0, 7.0, 0.0]
+normal = [0, -1, 0]
+material = { kind = "phong", colour = [0.80, 0.78, 0.72] }
+"#;
+
 /// Whether light arrives by a shadow ray without an end, which a wall behind the lamp stops.
 pub(super) fn without_end(scene: &Scene, at: &Surface, light: &LightSample) -> bool {
     let (ray, _) = shadow::shadow_ray(at, light);

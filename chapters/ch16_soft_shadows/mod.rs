@@ -13,7 +13,7 @@ use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
 use glam::{Vec2, Vec3};
 use raybook::camera::Camera;
-use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::camera::pinhole::Pinhole;
 use raybook::light::Light;
 use raybook::math::pcg::Pcg;
 use raybook::render::film::Film;
@@ -21,6 +21,7 @@ use raybook::render::local::Local;
 use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
+use raybook_scenes::{Shot, gallery};
 use std::process::ExitCode;
 
 /// Direct light alone, by `samples` shadow rays to each light for each sample of a pixel. One ray is enough: the samples of a
@@ -49,13 +50,11 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let [whole, close] = posts::VIEWS;
     let film = stage.film_of(960, 16, 16.0 / 9.0);
-    let camera = camera(whole, &film)?;
-    let scene = posts::under(posts::square(knobs.lamp));
+    let Shot { scene, camera, .. } = gallery::POSTS.under(posts::square(knobs.lamp), film.width)?;
     let whitted = with_samples(knobs.rays);
     if stage.wants("picture") {
-        let picture = film.render(&camera, &Sampler::Refined, &whitted, &scene);
+        let picture = film.render(&*camera, &Sampler::Refined, &whitted, &scene);
         let caption = format!(
             "Under a square light of {} m, shadows are sharp near the object that casts them, and become softer with the \
             distance from it.",
@@ -68,7 +67,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         samples: film.samples,
         ..stage.tile(4, 1.0)
     };
-    let close = self::camera(close, &tile)?;
+    let (from, to, focal_length) = posts::CLOSE;
+    let close = Pinhole::look_at(from, to, Vec3::Y, focal_length, tile.aspect())?;
     if stage.wants("samples") {
         let one_ray = Film { samples: 1, ..tile };
         let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
@@ -90,11 +90,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ("a square of 2.4 m", posts::square(2.4)),
             ("a sphere of 2.4 m", posts::sphere(1.2)),
         ];
-        let tiles = lights.map(|(name, light)| {
-            let scene = posts::under(light);
+        let mut tiles = Vec::new();
+        for (name, light) in lights {
+            let scene = gallery::POSTS.under(light, tile.width)?.scene;
             let picture = tile.render(&close, &Sampler::Refined, &whitted, &scene);
-            (name, picture)
-        });
+            tiles.push((name, picture));
+        }
         let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";
         stage.figure("lights", caption, &sheet(4, &tiles)?)?;
     }
@@ -109,14 +110,6 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         light_error::REPEATS
     );
     stage.diagram("error", &caption, &light_error::plot()?)
-}
-
-/// The camera of a view.
-fn camera(
-    (from, to, focal_length): (Vec3, Vec3, f32),
-    film: &Film,
-) -> Result<Pinhole, LookAtError> {
-    Pinhole::look_at(from, to, Vec3::Y, focal_length, film.aspect())
 }
 
 /// The chapter's binary.

@@ -11,6 +11,7 @@ use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::scene::world::Scene;
 use raybook::scene::{cornell, plates};
+use raybook_scenes::gallery;
 use std::error::Error;
 use std::f64::consts::FRAC_1_SQRT_2;
 
@@ -54,10 +55,10 @@ impl View {
     /// The box with a mirror ball and a glass one, from the same place.
     ///
     /// # Errors
-    /// If there is no such camera.
-    pub(super) fn with_balls() -> Result<Self, LookAtError> {
+    /// If there is no such camera or scene.
+    pub(super) fn with_balls() -> Result<Self, Box<dyn Error>> {
         Ok(Self {
-            scene: cornell::with_balls(),
+            scene: gallery::CORNELL.shot(1)?.scene,
             ..Self::cornell_box()?
         })
     }

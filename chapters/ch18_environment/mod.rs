@@ -2,7 +2,7 @@
 //! sampled more often.
 //!
 //! New: math/piecewise.rs light/environment/mod.rs light/environment/latlong.rs light/environment/cube.rs
-//! New: light/environment/angular.rs light/environment/convert.rs scene/still_life.rs
+//! New: light/environment/angular.rs light/environment/convert.rs
 
 mod environments;
 mod metals;
@@ -15,8 +15,6 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
-use glam::Vec3;
-use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, file, tone};
 use raybook::light::Light;
 use raybook::light::environment::Environment;
@@ -24,8 +22,8 @@ use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
-use raybook::scene::still_life::{AT, EYE, still_life};
-use raybook::scene::world::Scene;
+use raybook_scenes::wrong::TextError;
+use raybook_scenes::{Shot, gallery};
 use std::path::PathBuf;
 use std::process::ExitCode;
 use uniform_environment::UniformEnvironment;
@@ -118,40 +116,25 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 }
 
 /// The still life under one light.
-fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
-    let view = View::under(light, film.aspect())?;
-    Ok(view.photograph(film))
+fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, TextError> {
+    let view = gallery::STILL_LIFE.under(light, film.width)?;
+    Ok(photograph(film, &view))
 }
 
 /// The same picture, denoised by a filter that knows what the camera sees.
-fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, LookAtError> {
-    let view = View::under(light, film.aspect())?;
-    let guides = film.guides(&view.camera, &view.scene);
-    Ok(film.denoised(&guides, |film| view.photograph(film)))
+fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, TextError> {
+    let view = gallery::STILL_LIFE.under(light, film.width)?;
+    let guides = film.guides(&*view.camera, &view.scene);
+    Ok(film.denoised(&guides, |film| photograph(film, &view)))
 }
 
-/// The still life and a camera in front of it.
-struct View {
-    scene: Scene,
-    camera: Pinhole,
-}
-
-impl View {
-    fn under(light: Box<dyn Light>, aspect: f32) -> Result<Self, LookAtError> {
-        Ok(Self {
-            scene: still_life(light),
-            camera: Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, aspect)?,
-        })
-    }
-
-    fn photograph(&self, film: &Film) -> Image {
-        let path = Path {
-            depth: 6,
-            roulette_after: 3,
-            strategy: Strategy::Both,
-        };
-        film.render(&self.camera, &Sampler::Even, &path, &self.scene)
-    }
+fn photograph(film: &Film, view: &Shot) -> Image {
+    let path = Path {
+        depth: 6,
+        roulette_after: 3,
+        strategy: Strategy::Both,
+    };
+    film.render(&*view.camera, &Sampler::Even, &path, &view.scene)
 }
 
 /// The chapter's binary.

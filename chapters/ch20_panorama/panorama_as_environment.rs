@@ -4,7 +4,7 @@ use super::all_around::wide;
 use crate::kit::sheet::sheet;
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::camera::Camera;
-use raybook::camera::pinhole::{LookAtError, Pinhole};
+use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, mip::MipMap, tone};
 use raybook::light::environment::Environment;
 use raybook::render::clamped::Clamped;
@@ -12,7 +12,7 @@ use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
-use raybook::scene::still_life::{AT, still_life};
+use raybook_scenes::gallery;
 use std::error::Error;
 
 /// The directions of the looks, by their names.
@@ -83,11 +83,13 @@ fn smooth(map: &Image) -> Image {
     })
 }
 
-fn photograph(film: &Film, light: Environment) -> Result<Image, LookAtError> {
-    /// Nearer than in chapter 18, so that more of the panorama is seen.
-    const EYE: Vec3 = vec3(0.5, 1.2, 4.3);
-    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.024, film.aspect())?;
-    let scene = still_life(Box::new(light));
+fn photograph(film: &Film, light: Environment) -> Result<Image, Box<dyn Error>> {
+    // Nearer than in chapter 18, so that more of the panorama is seen.
+    let (from, to) = (vec3(0.5, 1.2, 4.3), vec3(0.0, 0.66, 0.0));
+    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.024, film.aspect())?;
+    let scene = gallery::STILL_LIFE
+        .under(Box::new(light), film.width)?
+        .scene;
     let path = Path {
         depth: 4,
         roulette_after: 2,

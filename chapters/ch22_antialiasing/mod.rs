@@ -6,7 +6,7 @@
 //! New: sample/pattern/neighbours.rs sample/pattern/dart_throwing.rs sample/pattern/poisson_disk.rs
 //! New: sample/pattern/n_rooks.rs sample/pattern/multi_jittered.rs sample/pattern/halton.rs sample/pattern/r2.rs
 //! New: sample/pattern/owen.rs sample/pattern/best_candidate.rs
-//! New: sample/padded.rs render/supersample.rs scene/horizon.rs
+//! New: sample/padded.rs render/supersample.rs
 //! Unscaled: zone_plates
 
 use crate::kit::chapter;
@@ -20,8 +20,6 @@ use crate::lab::sheets;
 use crate::lab::subject::Subject;
 use clap::builder::PossibleValuesParser;
 use clap::{Args, ValueEnum};
-use glam::Vec3;
-use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg::Pcg;
 use raybook::render::film::Film;
 use raybook::render::local::Local;
@@ -30,7 +28,7 @@ use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::{PATTERNS, find};
-use raybook::scene::horizon;
+use raybook_scenes::{Shot, gallery};
 use std::process::ExitCode;
 
 /// The light that comes straight from the lamps, with shadows.
@@ -80,9 +78,7 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let scene = horizon::scene();
-    let [eye, at] = horizon::VIEW;
-    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
+    let Shot { scene, camera, .. } = gallery::HORIZON.shot(film.width)?;
     let grid = find("regular-grid").ok_or("there is a grid")?;
     let jittered = find("jittered").ok_or("there is a jittered pattern")?;
     if stage.wants("picture") {
@@ -102,7 +98,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             },
             ..film
         };
-        let view = film.render(&camera, &Sampler::Pattern(&points), &DIRECT, &scene);
+        let view = film.render(&*camera, &Sampler::Pattern(&points), &DIRECT, &scene);
         let caption = format!(
             "One picture in three bands: left, one ray through the middle of each pixel; middle and right, {} and {most} rays \
             per pixel by the pattern “{}”, averaged by the filter “{}”. With one ray, the far squares make a pattern that does not exist, and the edges are \

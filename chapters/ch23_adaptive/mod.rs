@@ -9,10 +9,8 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::lab::adaptive_gain::{map, measure, outcome, spent};
 use crate::lab::plot::Plot as _;
 use clap::Args;
-use glam::{Vec2, Vec3};
+use glam::Vec2;
 use rand::Rng;
-use raybook::camera::Camera;
-use raybook::camera::pinhole::Pinhole;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::film::Film;
 use raybook::render::local::Local;
@@ -21,7 +19,7 @@ use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
 use raybook::sample::pattern::find;
-use raybook::scene::horizon;
+use raybook_scenes::{Shot, gallery};
 use std::process::ExitCode;
 
 /// The light that comes straight from the lamps, with shadows.
@@ -53,9 +51,7 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
-    let scene = horizon::scene();
-    let [eye, at] = horizon::VIEW;
-    let camera = Pinhole::look_at(eye, at, Vec3::Y, horizon::FOCAL_LENGTH, film.aspect())?;
+    let Shot { scene, camera, .. } = gallery::HORIZON.shot(film.width)?;
     let see = |place, rng: &mut dyn Rng| DIRECT.follow(&scene, &camera.ray(place, Vec2::ZERO), rng);
     let limits = Limits {
         first: knobs.first,
@@ -68,7 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             samples: mean,
             ..film
         };
-        let picture = film.render(&camera, &Sampler::Budget { first }, &DIRECT, &scene);
+        let picture = film.render(&*camera, &Sampler::Budget { first }, &DIRECT, &scene);
         let caption = format!(
             "The scene of chapter 22 with {mean} rays per pixel on average: {first} rays at first, and further rays where these differ."
         );

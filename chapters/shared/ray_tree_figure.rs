@@ -6,9 +6,9 @@ use crate::kit::sheet::Sheet;
 use crate::kit::sketch::{Sketch, label};
 use crate::kit::stage::Drawn;
 use crate::shared::ray_tree::{Branch, End, Kind};
-use glam::{Vec2, vec2};
+use glam::{Vec2, Vec3, vec2, vec3};
 use plotters::prelude::{Circle, Color, PathElement, RGBColor};
-use raybook::camera::pinhole::Pinhole;
+use raybook::camera::pinhole::{LookAtError, Pinhole};
 use raybook::image::{Image, rgb::Rgb, tone};
 use std::error::Error;
 
@@ -23,6 +23,15 @@ const MARGIN: f32 = 120.0;
 
 /// Drawn length of a ray that goes on for ever, and of the camera ray, in metres.
 const SHOWN: f32 = 1.6;
+
+/// A camera above and at the left of the marbles, for which the balls hide little of each other.
+///
+/// # Errors
+/// If there is no such camera.
+pub fn above(aspect: f32) -> Result<Pinhole, LookAtError> {
+    let (from, to) = (vec3(-2.6, 4.8, 6.0), vec3(-0.35, 0.45, 0.9));
+    Pinhole::look_at(from, to, Vec3::Y, 0.038, aspect)
+}
 
 /// Draws the rays on a photograph that `viewer` took of their scene, and beside it the tree.
 ///

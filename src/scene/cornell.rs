@@ -23,12 +23,9 @@ use crate::accel::bvh::build::Method;
 use crate::accel::wide_bvh::WideBvh;
 use crate::image::rgb::Rgb;
 use crate::light::{extent::LightSampling, rect_light::RectLight};
-use crate::material::conductor::{Conductor, Metal};
-use crate::material::glass::{Glass, Medium};
 use crate::material::lambert::Lambert;
 use crate::scene::world::{Scene, Thing};
 use crate::shape::mesh::Mesh;
-use crate::shape::sphere::Sphere;
 use glam::{Vec3, vec3};
 
 /// The white paint's albedo.
@@ -117,24 +114,6 @@ pub fn cornell_box() -> Scene {
     let things = things.map(|(quads, albedo)| painted(quads, albedo));
     Scene::new(things.into(), vec![Box::new(lamp())])
 }
-
-/// The box with two balls instead of the blocks: a mirror ball at the back, and a glass ball in front, which focuses light to
-/// caustics on the floor and on the wall.
-pub fn with_balls() -> Scene {
-    let ball = |x: f32, z: f32| Sphere::new(vec3(x, RADIUS, z), RADIUS);
-    let silver = Conductor(Metal::SILVER);
-    let things = vec![
-        painted(&WALLS, WHITE),
-        painted(&RIGHT, GREEN),
-        painted(&LEFT, RED),
-        Thing::new(ball(0.395, 0.385), silver),
-        Thing::new(ball(0.165, 0.175), Glass::of(Medium::GLASS)),
-    ];
-    Scene::new(things, vec![Box::new(lamp())])
-}
-
-/// The radius of the balls, in metres.
-const RADIUS: f32 = 0.1;
 
 /// The lamp, which shines downwards.
 pub fn lamp() -> RectLight {

@@ -2,12 +2,11 @@
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::light::environment::Environment;
+use raybook::light::{Light, environment::Environment};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{Local, NO_SHADOWS, Visibility};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
-use raybook::scene::{cornell, plates, still_life};
-use raybook::scene::{marbles, world::Scene};
+use raybook::scene::{cornell, plates, world::Scene};
 use raybook_chapters::ch13_reflection::kissing_balls;
 use raybook_chapters::ch14_refraction::glassware::{self, Stuff};
 use raybook_chapters::ch16_soft_shadows::posts;
@@ -15,6 +14,7 @@ use raybook_chapters::ch18_environment::skies;
 use raybook_chapters::ch18_environment::uniform_environment::UniformEnvironment;
 use raybook_common::counting::{Counting, allocations};
 use raybook_common::rays::{random_direction, ray};
+use raybook_scenes::gallery;
 use std::hint::black_box;
 
 #[global_allocator]
@@ -55,6 +55,21 @@ fn sky() -> Environment {
     Environment::new(skies::map(skies::clear_day, 64))
 }
 
+/// The marbles of chapters 13 and 15.
+fn marbles() -> Scene {
+    gallery::MARBLES.shot(96).expect("a scene").scene
+}
+
+/// The posts of chapter 16 under a light.
+fn posts_under(light: Box<dyn Light>) -> Scene {
+    gallery::POSTS.under(light, 96).expect("a scene").scene
+}
+
+/// The still life of chapter 18 under a light.
+fn still_life(light: Box<dyn Light>) -> Scene {
+    gallery::STILL_LIFE.under(light, 96).expect("a scene").scene
+}
+
 /// Every integrator, by name, with where to look from.
 fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
     let (bare, shadows, soft) = (
@@ -63,15 +78,11 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         (8, Some(shadow::lit as Visibility)),
     );
     let above = vec3(0.4, 4.3, 7.2);
-    let inside = vec3(0.28, 0.27, 0.1);
+    let (inside, before) = (vec3(0.28, 0.27, 0.1), vec3(0.8, 1.6, 8.8));
     let mirrors = kissing_balls::scene();
     vec![
-        (
-            "lamps without shadows",
-            above,
-            whitted(marbles::scene(), 1, bare),
-        ),
-        ("mirrors", above, whitted(marbles::scene(), 8, bare)),
+        ("lamps without shadows", above, whitted(marbles(), 1, bare)),
+        ("mirrors", above, whitted(marbles(), 8, bare)),
         (
             "mirrors that touch",
             kissing_balls::VIEW[0],
@@ -82,16 +93,16 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
             above,
             whitted(glassware::still_life(STUFF), 12, bare),
         ),
-        ("shadows", above, whitted(marbles::scene(), 8, shadows)),
+        ("shadows", above, whitted(marbles(), 8, shadows)),
         (
             "soft shadows of a square",
             above,
-            whitted(posts::under(posts::square(1.4)), 1, soft),
+            whitted(posts_under(posts::square(1.4)), 1, soft),
         ),
         (
             "soft shadows of a sphere",
             above,
-            whitted(posts::under(posts::sphere(0.7)), 1, soft),
+            whitted(posts_under(posts::sphere(0.7)), 1, soft),
         ),
         (
             "paths by the surface",
@@ -110,14 +121,14 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
         ),
         (
             "paths under a sky",
-            still_life::EYE,
-            path(still_life::still_life(Box::new(sky())), Strategy::Both),
+            before,
+            path(still_life(Box::new(sky())), Strategy::Both),
         ),
         (
             "paths under a sky that is asked everywhere",
-            still_life::EYE,
+            before,
             path(
-                still_life::still_life(Box::new(UniformEnvironment(sky()))),
+                still_life(Box::new(UniformEnvironment(sky()))),
                 Strategy::Light,
             ),
         ),

@@ -109,8 +109,11 @@ fn no_chapter_uses_a_file_that_a_later_one_claims() {
 const PACKAGES: [(&str, &[&str]); 5] = [
     ("Cargo.toml", &[]),
     ("workbook/Cargo.toml", &["raybook"]),
-    ("chapters/Cargo.toml", &["raybook", "raybook-workbook"]),
     ("chapters/scenes/Cargo.toml", &["raybook"]),
+    (
+        "chapters/Cargo.toml",
+        &["raybook", "raybook-scenes", "raybook-workbook"],
+    ),
     (
         "grader/Cargo.toml",
         &[

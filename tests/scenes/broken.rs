@@ -145,6 +145,22 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
         "8:7: the edges `a_m` and `b_m` of a rectangle must be at right angles",
     ),
     (
+        "[[shapes]]\nkind = \"polygon\"\ncorners_m = [[0, 0, 0], [1, 0, 0]]\nmaterial = { kind = \"matte\", colour = 1 }\n",
+        "6:13: a polygon has at least three corners",
+    ),
+    (
+        "[[shapes]]\nkind = \"polygon\"\ncorners_m = [0, 0, 0]\nmaterial = { kind = \"matte\", colour = 1 }\n",
+        "6:13: `corners_m` must be a list of places, [[x, y, z], …], from -1e9 to 1e9, and this is [0.0, 0.0, 0.0]",
+    ),
+    (
+        "[materials]\nfloor = { kind = \"phong\", colour = 0.5, polish = 2 }\n",
+        "5:50: `polish` must be a number from 0 to 1, or three, [red, green, blue], and this is 2",
+    ),
+    (
+        "[backdrop]\nhorizon = 1\nexponent = 0\n",
+        "6:12: `exponent` must be a number from 0.01 to 100, and this is 0",
+    ),
+    (
         "[[lights]]\nkind = \"point\"\nposition_m = [0, 1, 0]\nintensity = -1\n",
         "7:13: `intensity` must be a number from 0 to 1e12, or three, [red, green, blue], and this is -1",
     ),

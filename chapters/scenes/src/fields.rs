@@ -1,7 +1,7 @@
 //! A table of a file that people write in TOML, a scene or a course: every field that is read is checked, and a field that nobody
 //! reads is an error.
 
-use crate::values::{colour, described, number, three, whole};
+use crate::values::{colour, described, number, place, three, whole};
 use crate::wrong::{Source, TextError, did_you_mean, listed, shown};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
@@ -187,8 +187,20 @@ impl<'a> Fields<'a> {
     /// If there is something else, or it is outside the domain.
     pub fn place(&self, key: &'static str) -> Result<Option<Vec3>, TextError> {
         let expected = format!("three numbers, [x, y, z], from -{LARGEST:e} to {LARGEST:e}");
-        let near = |v: &Vec3| v.abs().cmple(Vec3::splat(LARGEST)).all();
-        self.get(key, &expected, |value| three(value).filter(near))
+        self.get(key, &expected, place)
+    }
+
+    /// A list of places.
+    ///
+    /// # Errors
+    /// If there is something else, or one is outside the domain.
+    pub fn places(&self, key: &'static str) -> Result<Option<Vec<Vec3>>, TextError> {
+        let expected =
+            format!("a list of places, [[x, y, z], …], from -{LARGEST:e} to {LARGEST:e}");
+        self.get(key, &expected, |value| {
+            let list = value.as_array()?;
+            list.iter().map(|value| place(value.get_ref())).collect()
+        })
     }
 
     /// A direction of any length.

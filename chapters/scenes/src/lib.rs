@@ -3,6 +3,7 @@
 
 pub mod camera;
 pub mod fields;
+pub mod gallery;
 pub mod lights;
 pub mod materials;
 pub mod rendering;

@@ -95,10 +95,11 @@ pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), Tex
             let below = backdrop.light("below")?.unwrap_or(Rgb::BLACK);
             let horizon = backdrop.light("horizon")?.unwrap_or(Rgb::BLACK);
             let above = backdrop.light("above")?.unwrap_or(horizon);
+            let exponent = backdrop.number("exponent", 0.01..=100.0)?.unwrap_or(1.0);
             scene.backdrop = Box::new(move |ray: &Ray| {
                 let high = ray.direction.y;
                 let end = if high < 0.0 { below } else { above };
-                horizon.lerp(end, high.abs())
+                horizon.lerp(end, high.abs().powf(exponent))
             });
         }
         backdrop.finish()?;

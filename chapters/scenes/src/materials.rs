@@ -12,9 +12,11 @@ use raybook::material::glass::{Glass, Medium};
 use raybook::material::glowing::Glowing;
 use raybook::material::lambert::Lambert;
 use raybook::material::mirror::Mirror;
+use raybook::material::modified_phong::ModifiedPhong;
 use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::material::phong::Phong;
 use raybook::material::plastic::Plastic;
+use raybook::material::polished::Polished;
 use raybook::material::texture::Texture;
 use raybook::shape::Surface;
 use std::collections::BTreeMap;
@@ -71,10 +73,11 @@ impl Materials {
 }
 
 /// The kinds by their words.
-const KINDS: [(&str, Make<Arc<dyn Material>>); 8] = [
+const KINDS: [(&str, Make<Arc<dyn Material>>); 9] = [
     ("matte", matte),
     ("plastic", plastic),
     ("phong", phong),
+    ("modified-phong", modified_phong),
     ("blinn-phong", blinn_phong),
     ("metal", metal),
     ("mirror", mirror),
@@ -95,24 +98,46 @@ fn plastic(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
     Ok(paint(fields)?.make(move |albedo| plastic.of(albedo)))
 }
 
+/// Phong's material, or the same below a polish.
 fn phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
     let (specular, exponent) = highlight(fields)?;
-    Ok(paint(fields)?.make(move |albedo| Phong {
+    let phong = move |albedo| Phong {
         ambient: albedo,
         diffuse: albedo * FRAC_1_PI,
         specular: Rgb::gray(specular),
+        exponent,
+    };
+    let paint = paint(fields)?;
+    Ok(match fields.share("polish")? {
+        Some(share) => paint.make(move |albedo| Polished {
+            mirror: Mirror { share },
+            below: phong(albedo),
+        }),
+        None => paint.make(phong),
+    })
+}
+
+fn modified_phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
+    let (share, exponent) = highlight(fields)?;
+    Ok(paint(fields)?.make(move |albedo| ModifiedPhong {
+        diffuse: below(albedo, share),
+        specular: Rgb::gray(share),
         exponent,
     }))
 }
 
 fn blinn_phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
     let (share, exponent) = highlight(fields)?;
-    // So no more light leaves than arrives.
     Ok(paint(fields)?.make(move |albedo| NormalisedBlinnPhong {
-        diffuse: albedo * (1.0 - share),
+        diffuse: below(albedo, share),
         specular: Rgb::gray(share),
         exponent,
     }))
+}
+
+/// The matte part below a highlight of this share: so no more light leaves than arrives.
+fn below(albedo: Rgb, share: f32) -> Rgb {
+    albedo * (1.0 - share)
 }
 
 /// The share of the highlight and its exponent.

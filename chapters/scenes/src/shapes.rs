@@ -30,11 +30,12 @@ pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thin
 }
 
 /// The kinds by their words, of which a mesh may bring materials of its own.
-const KINDS: [(&str, Make<Arc<dyn Shape>>); 6] = [
+const KINDS: [(&str, Make<Arc<dyn Shape>>); 7] = [
     ("sphere", sphere),
     ("plane", plane),
     ("box", cuboid),
     ("rectangle", rectangle),
+    ("polygon", polygon),
     ("teapot", teapot),
     ("mesh", mesh),
 ];
@@ -83,6 +84,19 @@ fn rectangle(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
     let textures = vec![Vec2::ZERO, Vec2::X, Vec2::ONE, Vec2::Y];
     let mesh = Mesh::new(corners, vec![[0, 1, 2], [0, 2, 3]], None, Some(textures));
     let mesh = mesh.map_err(|error| fields.wrong("corner_m", error.to_string()))?;
+    meshed(fields, mesh)
+}
+
+/// Triangles from the first corner to the edges that do not touch it.
+fn polygon(fields: &Fields) -> Result<Arc<dyn Shape>, TextError> {
+    let corners = fields.need("corners_m", Fields::places)?;
+    let count = corners.len() as u32;
+    if count < 3 {
+        return Err(fields.wrong("corners_m", "a polygon has at least three corners"));
+    }
+    let fan = (1..count - 1).map(|i| [0, i, i + 1]).collect();
+    let mesh = Mesh::new(corners, fan, None, None);
+    let mesh = mesh.map_err(|error| fields.wrong("corners_m", error.to_string()))?;
     meshed(fields, mesh)
 }
 

@@ -2,6 +2,7 @@
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
+use raybook::math::domain::LARGEST;
 use toml::de::DeValue;
 
 /// A description of a value, for error messages.
@@ -49,6 +50,11 @@ pub(crate) fn three(value: &DeValue) -> Option<Vec3> {
         .map(|value| Some(number(value.get_ref())? as f32));
     let v = vec3(numbers.next()??, numbers.next()??, numbers.next()??);
     (list.len() == 3 && v.is_finite()).then_some(v)
+}
+
+/// Three coordinates within the domain, in metres.
+pub(crate) fn place(value: &DeValue) -> Option<Vec3> {
+    three(value).filter(|v| v.abs().cmple(Vec3::splat(LARGEST)).all())
 }
 
 /// A colour, in each channel from 0 to `most`.

@@ -2,9 +2,10 @@
 
 use crate::ch13_reflection::rays::{random_direction, ray};
 use crate::ch13_reflection::{see, whitted};
+use glam::Vec2;
 use raybook::math::pcg;
-use raybook::scene::marbles;
 use raybook_chapters::shared::{ray_tree::Branch, ray_tree::End, ray_tree::Kind, ray_tree::grow};
+use raybook_scenes::{Shot, gallery};
 
 fn all(branch: &Branch) -> Vec<&Branch> {
     let below = branch.asks.iter().flat_map(all);
@@ -13,9 +14,10 @@ fn all(branch: &Branch) -> Vec<&Branch> {
 
 #[test]
 fn a_tree_sees_what_the_renderer_sees() {
-    let scene = marbles::scene();
+    let Shot { scene, camera, .. } = gallery::MARBLES.shot(96).expect("a scene");
     let mut rng = pcg::stream(13, 3);
-    let [from, to] = marbles::VIEW;
+    let middle = camera.ray(Vec2::splat(0.5), Vec2::ZERO);
+    let (from, to) = (middle.origin, middle.at(8.0));
     let (mut deepest, mut limits) = (0, 0);
     for _ in 0..2000 {
         let ray = ray(from, to - from + 2.5 * *random_direction(&mut rng));

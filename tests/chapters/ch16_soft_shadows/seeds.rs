@@ -2,8 +2,6 @@
 
 use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
 use glam::{Vec2, Vec3, vec3};
-use raybook::camera::Camera;
-use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{
     Light, extent::LightSampling, rect_light::RectLight, sphere_light::SphereLight,
@@ -11,7 +9,7 @@ use raybook::light::{
 use raybook::render::local::{Local, Visibility};
 use raybook::render::{film::Film, shadow, whitted::Whitted};
 use raybook::shape::sphere::Sphere;
-use raybook_chapters::ch16_soft_shadows::posts;
+use raybook_scenes::{Shot, gallery};
 
 const MIDDLE: Vec3 = vec3(-3.0, 4.0, -3.0);
 
@@ -31,9 +29,8 @@ fn sphere(radiance: f32, choose: LightSampling) -> Box<dyn Light> {
 
 /// 16 batches of the posts under a light; the first seed tells them from others.
 fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy {
-    let scene = posts::under(light);
-    let [(from, to, focal_length), _] = posts::VIEWS;
-    let camera = Pinhole::look_at(from, to, Vec3::Y, focal_length, 1.6).expect("a camera");
+    let shot = gallery::POSTS.under(light, 48).expect("a scene");
+    let Shot { scene, camera, .. } = shot;
     let local = Local {
         samples: 2,
         arrives: Some(arrives),
@@ -43,7 +40,7 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
         let film = Film {
             seed,
             threads: 2,
-            ..Film::new(48, 30, 4)
+            ..Film::new(48, 27, 4)
         };
         film.sample(|place, rng| whitted.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng))
     };

@@ -2,19 +2,17 @@
 
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
-use raybook::camera::Camera;
-use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{Light, environment::Environment};
 use raybook::material::lambert::Lambert;
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::{film::Film, mis::Strategy, path::Path};
-use raybook::scene::still_life::{AT, EYE, still_life};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::sphere::Sphere;
 use raybook_chapters::ch18_environment::skies;
 use raybook_chapters::ch18_environment::uniform_environment::UniformEnvironment;
 use raybook_common::statistics::Mean;
+use raybook_scenes::{Shot, gallery};
 
 const STRATEGIES: [Strategy; 3] = [Strategy::Surface, Strategy::Light, Strategy::Both];
 
@@ -78,6 +76,10 @@ fn directions_by_their_light_and_uniform_ones_bring_the_same_light() {
     }
 }
 
+fn still_life(light: Box<dyn Light>) -> Shot {
+    gallery::STILL_LIFE.under(light, 24).expect("a scene")
+}
+
 #[test]
 fn a_strong_sun_pays_for_being_asked() {
     let sky = || Environment::new(skies::map(skies::clear_day, 256));
@@ -86,10 +88,11 @@ fn a_strong_sun_pays_for_being_asked() {
             depth: 1,
             ..path(strategy)
         };
-        let scene = still_life(light);
+        let Shot { scene, camera, .. } = still_life(light);
+        let eye = camera.ray(Vec2::splat(0.5), Vec2::ZERO).origin;
         let ray = Ray::new(
-            EYE,
-            Dir3::new(vec3(-2.2, 0.0, 1.0) - EYE).expect("not zero"),
+            eye,
+            Dir3::new(vec3(-2.2, 0.0, 1.0) - eye).expect("not zero"),
         );
         Mean::sampled(192, 300, |rng| path.radiance(&scene, &ray, rng).g).error
     };
@@ -103,8 +106,8 @@ fn a_strong_sun_pays_for_being_asked() {
 
 #[test]
 fn even_random_numbers_change_the_noise_and_not_the_mean() {
-    let scene = still_life(Box::new(Environment::new(skies::map(skies::overcast, 64))));
-    let camera = Pinhole::look_at(EYE, AT, Vec3::Y, 0.05, 1.6).expect("a camera");
+    let overcast = Environment::new(skies::map(skies::overcast, 64));
+    let Shot { scene, camera, .. } = still_life(Box::new(overcast));
     let path = path(Strategy::Both);
     let ray = |at| camera.ray(at, Vec2::ZERO);
     let film = |seed, samples| Film {

@@ -37,6 +37,11 @@ pub fn manifest_of_chapters() -> &'static str {
     manifest(&CHAPTERS)
 }
 
+/// The manifest of the scene files' package.
+pub fn manifest_of_scenes() -> &'static str {
+    CHAPTERS.get_dir("scenes").map_or("", manifest)
+}
+
 /// The file in which a student writes an exercise, as a path in the student's folder.
 pub fn place(exercise: &str) -> Option<String> {
     let holds = |file: &&File<'_>| {
@@ -96,7 +101,7 @@ pub fn without_anchors(text: &str) -> String {
 }
 
 fn manifest(folder: &'static Dir<'static>) -> &'static str {
-    let file = folder.get_file(MANIFEST);
+    let file = folder.get_file(folder.path().join(MANIFEST));
     file.and_then(File::contents_utf8).unwrap_or_default()
 }
 

@@ -39,11 +39,7 @@ pub fn workbook() -> String {
 /// The `Cargo.toml` of the chapters' package, at `.raybook/chapters`: a workspace of its own, in which the library has all its
 /// features.
 pub fn chapters() -> String {
-    let text = library::manifest_of_chapters();
-    let own: String = sections(text)
-        .filter(|(title, _)| !["dev-dependencies", "[test]", "lints"].contains(title))
-        .flat_map(written)
-        .collect();
+    let own = untested(library::manifest_of_chapters());
     let profiles: String = sections(COURSE)
         .filter(|(title, _)| title.starts_with("profile.release") && !title.contains(WITHHELD))
         .flat_map(written)
@@ -51,8 +47,21 @@ pub fn chapters() -> String {
     format!(
         "[workspace] # of its own: the workbook compiles without it\nresolver = \"3\"\n\n[workspace.package]\n{}\n[workspace.dependencies]\n{}{own}{profiles}",
         section(COURSE, "workspace.package"),
-        shared(&own, "../.."),
+        shared(&[&own[..], &scenes()].concat(), "../.."),
     )
+}
+
+/// The `Cargo.toml` of the scene files' package, which the chapters read their scenes with, at `.raybook/chapters/scenes`.
+pub fn scenes() -> String {
+    untested(library::manifest_of_scenes())
+}
+
+/// A package's manifest without what only its tests and lints need.
+fn untested(manifest: &str) -> String {
+    sections(manifest)
+        .filter(|(title, _)| !["dev-dependencies", "[test]", "lints"].contains(title))
+        .flat_map(written)
+        .collect()
 }
 
 /// The dependencies that a manifest inherits, with the library at `folder`.
@@ -70,6 +79,7 @@ fn shared(inherited: &str, folder: &str) -> String {
                 "raybook = {{ path = \"{folder}\", features = {} }}\n",
                 features.unwrap_or("[]")
             ),
+            "raybook-scenes" => "raybook-scenes = { path = \"scenes\" }\n".to_owned(),
             "raybook-workbook" => {
                 format!("raybook-workbook = {{ path = \"{folder}/workbook\" }}\n")
             }

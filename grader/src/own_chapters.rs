@@ -59,10 +59,10 @@ pub fn program(workbook: &Path, chapter: &Chapter) -> Result<Program, DrawError>
 /// If an anchor in the course is wrong.
 pub fn files() -> Result<Vec<StarterFile>, StarterError> {
     let mut files = copies(FOLDER, library::chapters(), &stub)?;
-    files.push((
-        Path::new(FOLDER).join(library::MANIFEST),
-        manifest::chapters().into_bytes(),
-    ));
+    for (package, manifest) in [("", manifest::chapters()), ("scenes", manifest::scenes())] {
+        let path = Path::new(FOLDER).join(package).join(library::MANIFEST);
+        files.push((path, manifest.into_bytes()));
+    }
     Ok(files)
 }
 

@@ -195,7 +195,7 @@ pub fn files(
     Ok(files)
 }
 
-/// Copies of the course's sources, without its anchors; `rewrite` gives the anchored functions their new text.
+/// Copies of the course's sources, without its anchors and manifests; `rewrite` gives the anchored functions their new text.
 ///
 /// # Errors
 /// If an anchor is wrong.
@@ -207,7 +207,7 @@ pub fn copies(
     let mut files = Vec::new();
     for file in originals {
         let path = library::slashes(file);
-        if path == MANIFEST {
+        if file.path().file_name().is_some_and(|name| name == MANIFEST) {
             continue;
         }
         let bytes = match file.contents_utf8() {

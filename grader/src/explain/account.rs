@@ -36,8 +36,10 @@ pub struct Account<'a> {
     pub asked: Vec<Named>,
     /// The student's answer; empty if there is none that can be read.
     pub yours: Vec<Named>,
-    /// The right answer.
+    /// The right answer, or one of them.
     pub right: Vec<Named>,
+    /// Whether many answers are right: random points, trees.
+    pub many: bool,
     /// Where they part.
     pub partings: Vec<Parting>,
     /// The steps to the right answer; empty where none are known.
@@ -61,6 +63,9 @@ impl<'a> Account<'a> {
             _ => None,
         };
         let yours = said.and_then(|said| asked.read_answer(said).ok());
+        let both = question.as_ref().zip(right.as_ref());
+        let many =
+            both.is_some_and(|(question, right)| !examiner.traits(question, right).is_empty());
         let partings = match (&right, &yours) {
             (Some(right), Some(yours)) => {
                 partings(asked.answer.kind, asked.answer.name, right, yours)
@@ -96,6 +101,7 @@ impl<'a> Account<'a> {
             asked: named(examiner.question_parts(&case.question), &[], asked.question),
             yours: answered(said),
             right: answered(Some(answer)),
+            many,
             partings,
             steps: steps.unwrap_or_default(),
             diagram,

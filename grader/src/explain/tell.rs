@@ -23,12 +23,21 @@ pub fn lines(account: &Account<'_>, dress: Dress) -> Vec<String> {
     };
     section("What is asked", named(&account.asked));
     section("Your answer", named(&account.yours));
-    section("The right answer", named(&account.right));
-    let part = match outcome.verdict {
-        Mark::Right => "Where they differ, which is right too",
-        _ => "Where they part",
+    let (right, part, should) = match (account.many, &outcome.verdict) {
+        (true, _) => (
+            "A right answer, one of many",
+            "Where yours differs from it",
+            "there",
+        ),
+        (_, Mark::Right) => (
+            "The right answer",
+            "Where they differ, which is right too",
+            "should be",
+        ),
+        _ => ("The right answer", "Where they part", "should be"),
     };
-    section(part, partings(&account.partings));
+    section(right, named(&account.right));
+    section(part, partings(&account.partings, should));
     section("The way to the right answer", steps(&account.steps));
     if matches!(outcome.verdict, Mark::Wrong(_)) {
         section(
@@ -64,7 +73,8 @@ fn named(named: &[Named]) -> Vec<String> {
     table(&rows.collect::<Vec<_>>())
 }
 
-fn partings(partings: &[Parting]) -> Vec<String> {
+/// Each number of one's own with the one that `should` says.
+fn partings(partings: &[Parting], should: &str) -> Vec<String> {
     let row = |parting: &Parting| {
         let off = match parting.off() {
             Some(off) if off > 0.0 => format!("{} too large", number(off)),
@@ -72,7 +82,7 @@ fn partings(partings: &[Parting]) -> Vec<String> {
             None => String::new(),
         };
         let both = format!(
-            "{}, and should be {}",
+            "{}, and {should} {}",
             number(parting.yours),
             number(parting.right)
         );

@@ -46,7 +46,7 @@ pub fn ask_again(
     Ok(())
 }
 
-/// Asks a wrong case alone, in a process of its own, and adds to its verdict if it is right there. Whoever throws dice has another answer
+/// Asks a wrong case alone, in a process of its own, and adds to its verdict if it is right there. Returns whether it is right alone. Whoever throws dice has another answer
 /// in each process, and may just be lucky.
 ///
 /// # Errors
@@ -59,10 +59,14 @@ pub fn ask_alone(
     let (Mark::Wrong(why), Said::Answer(_)) = (&outcome.verdict, &outcome.reply.said) else {
         return Ok(false);
     };
+    let is_right = |said: &Said| judge(examiner, &outcome.case, said) == Mark::Right;
+    // Its answer is right, and wrong beside all others only.
+    if is_right(&outcome.reply.said) {
+        return Ok(true);
+    }
     let question = [format!("{} {}", examiner.name(), outcome.case.question)];
     let mut replies = Vec::new();
     asker.ask_apart(&question, &mut replies)?;
-    let is_right = |said: &Said| judge(examiner, &outcome.case, said) == Mark::Right;
     if !replies.iter().any(|reply| is_right(&reply.said)) {
         return Ok(false);
     }

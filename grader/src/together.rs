@@ -4,8 +4,8 @@
 //! most 16 of them are asked of a pattern, with 6e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
 //! of up to three more rounds (see [`crate::further`]): 2e-8 for a pattern. The answer to a case fails alone by chance with 4e-10
 //! (`points.rs`), and one of a thousand points with 2e-8: 4e-8 in all; of further answers, two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten
-//! thousand classes. Estimates are not judged together: a question without a seed may be answered by the same random numbers each time, and
-//! then all of them are off to the same side.
+//! thousand classes. Estimates are judged together if one question has other answers each time: a question without a seed may be answered by the
+//! same random numbers each time, and then all of them are off to the same side.
 
 use crate::Verdict;
 use rand::RngExt;

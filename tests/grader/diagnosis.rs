@@ -122,6 +122,28 @@ fn every_question_can_be_misread() {
     assert!(changed > 100_000, "{changed} questions were misread");
 }
 
+/// A ray may be caught in a scene that makes no sense. Who follows it for ever runs out of stack, and takes the command along.
+#[test]
+fn a_mistake_in_a_misread_scene_comes_to_an_end() {
+    let examiner = cases::find("trace").expect("it exists");
+    let asked = examiner.asked();
+    let cases = examiner.cases(&mut visible_rng("trace")).cases;
+    let readings = misreadings(asked.question, examiner.limits());
+    let answered = readings.par_iter().map(|reading| {
+        let some = cases.iter().step_by(4);
+        let questions = some.map(|case| asked.read_question(&case.question).expect("a question"));
+        let read = questions.filter_map(|question| reading.read(asked.question, &question));
+        let answer = |question: Vec<f64>| {
+            let mistakes = 0..examiner.mistakes().len();
+            let answered = mistakes.filter_map(|i| examiner.mistake_answers(i, &question));
+            answered.count()
+        };
+        read.map(answer).sum::<usize>()
+    });
+    let answered: usize = answered.sum();
+    assert!(answered > 10_000, "{answered} misread questions are answered");
+}
+
 #[test]
 fn only_a_direction_is_turned_round() {
     let examiner = cases::find("camera_ray").expect("it exists");

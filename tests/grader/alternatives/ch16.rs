@@ -3,6 +3,7 @@
 use crate::alternatives::student::{Alternative, Answer, Question};
 use glam::{DVec2, DVec3, dvec2};
 use raybook_grader::cases;
+use raybook_grader::examine::visible_rng;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
 
 pub const ALTERNATIVES: &[Alternative] = &[
@@ -81,6 +82,27 @@ fn a_ball_that_hides_between_the_points_of_a_lattice_may_be_met_by_chance() {
         assert_eq!(judged(0.015, seen), Ok(()), "{seen}");
     }
     assert!(judged(0.9, 1.0).is_err(), "the ball hides all of the light");
+}
+
+#[test]
+fn a_radius_that_is_5_percent_wrong_is_noticed() {
+    let examiner = cases::find("visible_fraction").expect("it exists");
+    let asked = examiner.asked();
+    let cases = examiner.cases(&mut visible_rng("visible_fraction")).cases;
+    for scale in [0.95, 1.05] {
+        let wrong = cases.iter().filter(|case| {
+            let question = asked.read_question(&case.question).expect("a question");
+            let golden = asked.read_answer(&case.answers[0]).expect("an answer");
+            let mut scaled = question.clone();
+            let balls = 11 + 3 * question[9] as usize..question.len() - 1;
+            let radii = scaled[balls].chunks_exact_mut(4);
+            radii.for_each(|ball| ball[3] *= scale);
+            let got = (asked.call)(&scaled);
+            examiner.compare(&question, &golden, &got).is_err()
+        });
+        let wrong = wrong.count();
+        assert!(wrong >= 2, "{scale} times the radius: {wrong} are wrong");
+    }
 }
 
 /// Knuth's linear congruential generator (MMIX).

@@ -66,7 +66,7 @@ pub struct Question {
 }
 
 impl Question {
-    fn read(line: &str) -> Self {
+    pub fn read(line: &str) -> Self {
         let words: Vec<_> = line.split_whitespace().map(str::to_owned).collect();
         Self {
             words: words.into_iter(),

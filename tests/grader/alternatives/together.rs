@@ -17,11 +17,12 @@ use std::fmt::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The exercises whose answers are judged together.
-const EXERCISES: [&str; 4] = [
+const EXERCISES: [&str; 5] = [
     "concentric_disk",
     "random_pattern",
     "jittered",
     "poisson_disk",
+    "reflected_radiance",
 ];
 
 /// The hidden cases of a student.

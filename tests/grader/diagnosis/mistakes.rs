@@ -98,6 +98,39 @@ pub const MISTAKES: &[Slip] = &[
     slip("ray_at", "halves t", &["half of t"], |q, right| {
         misread(q, right, |q| q[6] *= 0.5)
     }),
+    slip(
+        "ray_at",
+        "ends at 100 m",
+        &["more than 100 for t"],
+        |q, right| misread(q, right, |q| q[6] = q[6].min(100.0)),
+    ),
+    slip(
+        "expose",
+        "divides by twice the stops where they are negative",
+        &["where that is negative"],
+        |q, right| {
+            if q[3] < 0.0 {
+                q[..3].iter().map(|v| v / (2.0 * q[3].abs())).collect()
+            } else {
+                right(q)
+            }
+        },
+    ),
+    slip(
+        "sphere_hit",
+        "gives up inside",
+        &["begins inside"],
+        |q, right| {
+            let m = [q[0] - q[8], q[1] - q[9], q[2] - q[10]];
+            if length(&m) < q[11] { vec![0.0] } else { right(q) }
+        },
+    ),
+    slip(
+        "bvh_closest",
+        "counts each box twice",
+        &["2 times boxes"],
+        |q, right| changed(right(q), |n| n[0] *= 2.0),
+    ),
     slip("ray_at", "squares t", &["square of t"], |q, right| {
         misread(q, right, |q| q[6] *= q[6])
     }),

@@ -136,6 +136,14 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
+            name: "calls every sphere a miss that the ray begins inside of",
+            hint: "Stand in a large sphere: do you see its wall, and which of the two roots is it?",
+            answer: |q| {
+                let is_outside = q.ray.origin.distance(q.center) >= q.radius;
+                q.answer().filter(|_| is_outside)
+            },
+        },
+        Mistake {
             name: "takes the radius less the centre's distance from the ray for half of the chord",
             hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which theorem gives the third side?",
             answer: |q| {

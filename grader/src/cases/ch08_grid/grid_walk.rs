@@ -3,7 +3,7 @@
 mod walks;
 
 use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use glam::{uvec3, vec3};
+use glam::{Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
@@ -296,7 +296,15 @@ impl Graded for GridWalk {
             name: "takes 1/d, not cell/d, for the way between two planes",
             hint: "How far is it along the ray from one plane to the next, if a cell is 0.7 m wide?",
             answer: |q| {
-                let apart = |_, d: f32| (1.0 / d).abs();
+                let apart = |_, d: Vec3, axis: usize| (1.0 / d[axis]).abs();
+                added(q, &Adding { apart, ..ADDING })
+            },
+        },
+        Mistake {
+            name: "takes a cell's extent along x for the way between two planes along every axis",
+            hint: "How far is it along the ray from one plane to the next, along each axis? Which extent stands in each of the three lines?",
+            answer: |q| {
+                let apart = |cell: Vec3, d: Vec3, axis: usize| (cell.x / d[axis]).abs();
                 added(q, &Adding { apart, ..ADDING })
             },
         },
@@ -304,7 +312,7 @@ impl Graded for GridWalk {
             name: "subtracts the way between two planes where the ray goes backwards",
             hint: "Along an axis with a negative direction, does t grow or fall from plane to plane? What is the sign of cell/d?",
             answer: |q| {
-                let apart = |cell, d| cell / d;
+                let apart = |cell: Vec3, d: Vec3, axis: usize| cell[axis] / d[axis];
                 added(q, &Adding { apart, ..ADDING })
             },
         },

@@ -8,9 +8,16 @@ use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
+use std::f32::consts::SQRT_2;
 
 /// How many samples are asked for.
 const SAMPLES: u32 = 1024;
+
+/// How much smaller a light is that is beside a ball's border.
+const TINY: f32 = 0.003;
+
+/// How near a ball's border may be to the way to a light, in radii, with no doubt on which side the way is.
+const BESIDE: f32 = 0.01;
 
 /// Points along each side of a lattice that stands for the whole light.
 const FINE: u32 = 32;
@@ -42,12 +49,19 @@ impl Graded for VisibleFraction {
             ),
             radius: sample::number(rng, 0.3, 0.8),
         });
-        let balls = balls.collect();
+        let mut balls: Vec<_> = balls.collect();
         let on_floor = |_| {
             let p = sample::point(rng, 1.8);
             vec3(p.x, 0.0, p.z)
         };
-        let points = (0..4).map(on_floor).collect();
+        let points: Vec<_> = (0..4).map(on_floor).collect();
+        let [width, depth] = if rng.random_bool(0.25) {
+            // Just all or just nothing of a tiny light is seen from the first point: a radius that is 5 % wrong shows.
+            just_beside(&mut balls[0], points[0], height, rng.random_bool(0.5));
+            [width, depth].map(|side| TINY * side)
+        } else {
+            [width, depth]
+        };
         VisibleFraction {
             corner: vec3(-0.5 * width, height, -0.5 * depth),
             a: width * Vec3::X,
@@ -73,15 +87,17 @@ impl Graded for VisibleFraction {
             ));
         }
         let exact = exact(q);
-        // A small one hides between the points of a lattice.
+        // A small one hides between the points of a lattice, and the edge of another bulges between two of them by (apart/r)²/8 radii.
         let apart = q.a.length().max(q.b.length()) / FINE as f32;
-        let are_large = q.balls.iter().all(|ball| ball.radius > apart);
+        let least = q.balls.iter().map(|ball| ball.radius).fold(f32::INFINITY, f32::min);
+        let are_large = least > apart;
+        let beside = BESIDE + (apart / least).powi(2) / 8.0;
         for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
             let at_the_corners = |scale| to_the_corners(q, i, scale);
             let is_certain = || match f {
-                1.0 => at_the_corners(1.1) == 1.0,
-                0.0 => at_the_corners(0.9) == 0.0,
+                1.0 => at_the_corners(1.0 + beside) == 1.0,
+                0.0 => at_the_corners(1.0 - beside) == 0.0,
                 _ => false,
             };
             let bound = if are_large && got != f && is_certain() {
@@ -331,6 +347,24 @@ impl Graded for VisibleFraction {
             },
         },
         Mistake {
+            name: "takes the balls for a few percent larger than they are",
+            hint: "Which number do you compare with the radius, and is it a distance from the ball's centre? Is anything added to it for safety?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls.iter_mut().for_each(|ball| ball.radius *= 1.05);
+                })
+            },
+        },
+        Mistake {
+            name: "takes the balls for a few percent smaller than they are",
+            hint: "Which number do you compare with the radius, and is it a distance from the ball's centre? Is anything subtracted from it for safety?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.balls.iter_mut().for_each(|ball| ball.radius *= 0.95);
+                })
+            },
+        },
+        Mistake {
             name: "takes half the radius of each ball",
             hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
             answer: |q| {
@@ -452,6 +486,17 @@ impl Graded for VisibleFraction {
             },
         },
     ];
+}
+
+/// Moves a ball sideways until its border is beside the way from a point to the middle of a tiny light above the origin.
+fn just_beside(ball: &mut Ball, from: Vec3, height: f32, is_free: bool) {
+    let way = height * Vec3::Y - from;
+    let on_the_way = from + ball.center.y / height * way;
+    // At the ball, at most 0.7 times as high as the light, the way to a corner is at most 0.7 times half a diagonal away from that to the middle.
+    let apart = 1.5 * BESIDE * ball.radius + 0.7 * 0.5 * TINY * 3.0 * SQRT_2;
+    let sign = if is_free { 1.0 } else { -1.0 };
+    let side = way.cross(Vec3::X).normalize_or(Vec3::Z);
+    ball.center = on_the_way + (ball.radius + sign * apart) * side;
 }
 
 /// The question of the same light, which shines to the other side.

@@ -1,7 +1,7 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
 use super::{at_height, colour};
-use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, together::Bounds, traits};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::material::mirror;
@@ -91,6 +91,18 @@ fn exact_and_scatter(q: &ReflectedRadiance) -> ([f32; 3], [f32; 3]) {
     (exact, scatter)
 }
 
+/// Samples of the question that is asked again and again, to see whether each answer has random numbers of its own.
+const AGAIN: u32 = 1000;
+
+/// Whether no two answers to that question, eight at least, are alike. Who takes the same random numbers each time is off to the same side
+/// each time, and rightly so.
+fn are_independent(answers: &[(ReflectedRadiance, Rgb)]) -> bool {
+    let again = answers.iter().filter(|(q, _)| q.samples == AGAIN);
+    let again: Vec<_> = again.map(|(_, got)| got.channels()).collect();
+    let is_new = |i: usize| !again[..i].contains(&again[i]);
+    again.len() >= 8 && (0..again.len()).all(is_new)
+}
+
 impl Graded for ReflectedRadiance {
     const ULPS: i32 = 0; // an integral has no edges at which a last digit decides
 
@@ -127,6 +139,48 @@ impl Graded for ReflectedRadiance {
         }
         Ok(())
     }
+
+    /// The sum of n estimates, each over the standard deviation of the one that scatters most, has a standard deviation of √n at most: a
+    /// bias of 1 % shows in 42 cases.
+    fn together(answers: &[(ReflectedRadiance, Rgb)], bounds: Bounds) -> Verdict {
+        const DEVIATIONS: f64 = 6.25;
+        if !are_independent(answers) {
+            return Ok(());
+        }
+        let (mut off, mut bias, mut n) = (0.0, 0.0, 0.0);
+        for (q, got) in answers.iter().filter(|(q, _)| q.samples > AGAIN) {
+            let sum = |channels: [f32; 3]| f64::from(channels.iter().sum::<f32>());
+            let (exact, scatter) = exact_and_scatter(q);
+            let (exact, scatter) = (sum(exact), sum(scatter));
+            let apart = sum(got.channels()) - exact;
+            off += apart / scatter;
+            bias += apart / exact;
+            n += 1.0;
+        }
+        if n > 0.0 && off.abs() > bounds.of(DEVIATIONS) * f64::sqrt(n) {
+            return Err(format!(
+                "the estimates are {:.1} % too {} on average: more than chance explains",
+                100.0 * f64::abs(bias / n),
+                if bias > 0.0 { "large" } else { "small" }
+            ));
+        }
+        Ok(())
+    }
+
+    /// One question again and again.
+    fn further(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
+        let question = ReflectedRadiance {
+            samples: AGAIN,
+            ..Self::random(rng)
+        };
+        vec![question; 64]
+    }
+
+    const FLAWS: &'static [Flaw] = &[Flaw {
+        complaint: "on average: more than chance explains",
+        name: "is off by a few percent on average, which no single answer shows",
+        hint: "Which constant of your formula, or which range of your random numbers, is slightly wrong? By how many samples do you divide?",
+    }];
 
     fn traits(_q: &ReflectedRadiance, got: &Rgb) -> Vec<f64> {
         got.channels().map(|v| traits::log(v.into())).to_vec()

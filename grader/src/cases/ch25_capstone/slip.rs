@@ -77,10 +77,7 @@ pub fn answer(q: &Trace, slip: Slip) -> Rgb {
         Slip::OneSurfaceMore => q.depth.saturating_add(1),
         _ => q.depth,
     };
-    let tracer = Tracer {
-        scene: &q.scene,
-        slip,
-    };
+    let tracer = Tracer::new(&q.scene, slip);
     let radiance = tracer.radiance(&q.ray, depth, true);
     match slip {
         Slip::Clamped => tone::clamp(radiance),

@@ -11,6 +11,7 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::render::shadow::shadow_ray;
 use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
+use std::cell::Cell;
 use std::f32::consts::PI;
 
 /// A ray that begins on the side of the surface away from where it goes.
@@ -24,11 +25,26 @@ fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
 
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
-    pub scene: &'a Description,
-    pub slip: Slip,
+    scene: &'a Description,
+    slip: Slip,
+    /// Refractions that may still go uncounted: in a scene that makes no sense, a ray may be refracted for ever.
+    uncounted: Cell<u32>,
 }
 
-impl Tracer<'_> {
+impl<'a> Tracer<'a> {
+    pub fn new(scene: &'a Description, slip: Slip) -> Self {
+        let many = if slip == Slip::RefractionNotCounted {
+            1000
+        } else {
+            0
+        };
+        Self {
+            scene,
+            slip,
+            uncounted: Cell::new(many),
+        }
+    }
+
     fn is(&self, slip: Slip) -> bool {
         self.slip == slip
     }
@@ -109,7 +125,8 @@ impl Tracer<'_> {
                 } else {
                     self.leave(&at, refracted)
                 };
-                let through = if self.is(Slip::RefractionNotCounted) {
+                let through = if let Some(left) = self.uncounted.get().checked_sub(1) {
+                    self.uncounted.set(left);
                     self.radiance(&behind, depth, false)
                 } else {
                     see_from(behind)

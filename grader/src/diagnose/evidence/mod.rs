@@ -53,6 +53,10 @@ impl Item {
     }
 }
 
+fn length(vector: &[f64]) -> f64 {
+    vector.iter().map(|v| v * v).sum::<f64>().sqrt()
+}
+
 /// All that is known.
 #[derive(Clone)]
 pub struct Evidence<'a> {
@@ -67,6 +71,8 @@ pub struct Evidence<'a> {
     /// How many of the items are wrong.
     pub wrong: usize,
     scales: Vec<f64>,
+    /// Of each part, whether it is a direction that the student normalises.
+    unit: Vec<bool>,
     free: bool,
     judged: bool,
 }
@@ -122,12 +128,14 @@ impl<'a> Evidence<'a> {
             parts: parts(kind, asked.answer.name),
             scope: Scope::Whole,
             scales: Vec::new(),
+            unit: Vec::new(),
             free: false,
             judged: false,
         };
         evidence.judged = evidence.judge_compares();
         evidence.free = evidence.order_is_free();
         evidence.scales = evidence.scales();
+        evidence.unit = evidence.unit();
         evidence.settle();
         evidence
     }
@@ -190,6 +198,33 @@ impl<'a> Evidence<'a> {
             .collect()
     }
 
+    /// Whether each part is a vector of length 1 in all answers, in right ones and the student's.
+    fn unit(&self) -> Vec<bool> {
+        let all = self.items.iter().flat_map(|item| [item.golden(), &item.got]);
+        let mut unit = vec![true; self.parts.len()];
+        for answer in all {
+            for leaf in layout(self.kind(), answer).leaves {
+                let is_unit = leaf.len == 3 && (length(&answer[leaf.range()]) - 1.0).abs() < 1e-3;
+                unit[leaf.part] &= is_unit;
+            }
+        }
+        unit
+    }
+
+    /// What is predicted, where the student normalises a direction that is made of it.
+    fn normalised(&self, mut prediction: Vec<f64>) -> Vec<f64> {
+        if self.unit.contains(&true) {
+            for leaf in layout(self.kind(), &prediction).leaves {
+                let vector = &mut prediction[leaf.range()];
+                let length = length(vector);
+                if self.unit[leaf.part] && length > 0.0 && length.is_finite() {
+                    vector.iter_mut().for_each(|v| *v /= length);
+                }
+            }
+        }
+        prediction
+    }
+
     /// Whether answers are compared with the golden ones; those of others are judged by their traits.
     pub fn is_judged(&self) -> bool {
         self.judged
@@ -244,6 +279,7 @@ impl<'a> Evidence<'a> {
             parts: self.parts.clone(),
             scope: self.scope,
             scales: self.scales.clone(),
+            unit: self.unit.clone(),
             free: self.free,
             judged: self.judged,
         })

@@ -171,6 +171,28 @@ pub const POWERS: &[(u32, &str, Powers)] = &[
         "adds the exponent instead of raising to the power",
         |base, exponent| base + exponent,
     ),
+    (
+        12,
+        "divides by the base times the exponent where that is negative",
+        |base, exponent| {
+            if exponent < 0.0 {
+                -1.0 / (base * exponent)
+            } else {
+                base.powf(exponent)
+            }
+        },
+    ),
+    (
+        12,
+        "multiplies by the exponent instead of raising to the power, and divides where that is negative",
+        |base, exponent| {
+            if exponent < 0.0 {
+                -1.0 / (base * exponent)
+            } else {
+                base * exponent
+            }
+        },
+    ),
 ];
 
 /// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.

@@ -1,7 +1,7 @@
 //! Walks through a grid as students write them: what may be mistaken in each is of the caller's choice.
 
 use super::start;
-use glam::UVec3;
+use glam::{UVec3, Vec3};
 use raybook::inside::grid::Lattice;
 use raybook::math::slab;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
@@ -56,8 +56,8 @@ pub(super) fn student(
 
 /// What may be mistaken in a walk that adds the way between two planes in every step.
 pub(super) struct Adding {
-    /// The way between two planes, from the extent of a cell and the direction.
-    pub(super) apart: fn(f32, f32) -> f32,
+    /// The way between two planes, from the extents of a cell, the direction, and the axis.
+    pub(super) apart: fn(Vec3, Vec3, usize) -> f32,
     /// What the distances of the first planes lack.
     pub(super) late: fn(&GridWalk) -> f32,
     /// A cell's number, from a place in the lattice.
@@ -68,7 +68,7 @@ pub(super) struct Adding {
 
 /// The walk without a mistake.
 pub(super) const ADDING: Adding = Adding {
-    apart: |cell, d| (cell / d).abs(),
+    apart: |cell, d, axis| (cell[axis] / d[axis]).abs(),
     late: |_| 0.0,
     rounded: f32::floor,
     chosen: |next| nearest(next).first().copied(),
@@ -108,7 +108,7 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
         if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
             break;
         }
-        next[axis] += (by.apart)(lattice.cell[axis], d[axis]);
+        next[axis] += (by.apart)(lattice.cell, d, axis);
     }
     visits
 }

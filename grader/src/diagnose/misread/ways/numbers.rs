@@ -100,6 +100,20 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
         "May `{}` be negative, and what does that mean?",
         |v| v.max(0.0),
     );
+    let most: [(u32, fn(f64) -> f64); 4] = [
+        (10, |v| v.min(10.0)),
+        (100, |v| v.min(100.0)),
+        (1000, |v| v.min(1000.0)),
+        (10_000, |v| v.min(10_000.0)),
+    ];
+    for (limit, cut) in most {
+        each(
+            format!("never takes more than {limit} for {name}"),
+            15,
+            "How large may `{}` be?",
+            cut,
+        );
+    }
     each(
         format!("rounds {name} down to a whole number"),
         17,

@@ -141,7 +141,10 @@ fn a_mistake_in_a_misread_scene_comes_to_an_end() {
         read.map(answer).sum::<usize>()
     });
     let answered: usize = answered.sum();
-    assert!(answered > 10_000, "{answered} misread questions are answered");
+    assert!(
+        answered > 10_000,
+        "{answered} misread questions are answered"
+    );
 }
 
 #[test]

@@ -122,7 +122,11 @@ pub const MISTAKES: &[Slip] = &[
         &["begins inside"],
         |q, right| {
             let m = [q[0] - q[8], q[1] - q[9], q[2] - q[10]];
-            if length(&m) < q[11] { vec![0.0] } else { right(q) }
+            if length(&m) < q[11] {
+                vec![0.0]
+            } else {
+                right(q)
+            }
         },
     ),
     slip(

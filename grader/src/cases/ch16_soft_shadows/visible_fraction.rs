@@ -89,7 +89,11 @@ impl Graded for VisibleFraction {
         let exact = exact(q);
         // A small one hides between the points of a lattice, and the edge of another bulges between two of them by (apart/r)²/8 radii.
         let apart = q.a.length().max(q.b.length()) / FINE as f32;
-        let least = q.balls.iter().map(|ball| ball.radius).fold(f32::INFINITY, f32::min);
+        let least = q
+            .balls
+            .iter()
+            .map(|ball| ball.radius)
+            .fold(f32::INFINITY, f32::min);
         let are_large = least > apart;
         let beside = BESIDE + (apart / least).powi(2) / 8.0;
         for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {

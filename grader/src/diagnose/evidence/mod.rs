@@ -200,7 +200,10 @@ impl<'a> Evidence<'a> {
 
     /// Whether each part is a vector of length 1 in all answers, in right ones and the student's.
     fn unit(&self) -> Vec<bool> {
-        let all = self.items.iter().flat_map(|item| [item.golden(), &item.got]);
+        let all = self
+            .items
+            .iter()
+            .flat_map(|item| [item.golden(), &item.got]);
         let mut unit = vec![true; self.parts.len()];
         for answer in all {
             for leaf in layout(self.kind(), answer).leaves {
@@ -218,7 +221,9 @@ impl<'a> Evidence<'a> {
                 let vector = &mut prediction[leaf.range()];
                 let length = length(vector);
                 if self.unit[leaf.part] && length > 0.0 && length.is_finite() {
-                    vector.iter_mut().for_each(|v| *v /= length);
+                    for v in vector {
+                        *v /= length;
+                    }
                 }
             }
         }

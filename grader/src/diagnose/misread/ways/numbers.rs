@@ -2,12 +2,15 @@
 
 use std::f64::consts::PI;
 
+/// What is made of a number.
+type Made = fn(f64) -> f64;
+
 /// What is taken for `{}`, and how it is made.
-type Scale = (&'static str, fn(f64) -> f64);
+type Scale = (&'static str, Made);
 
 /// The ways to misread a number.
 #[allow(clippy::too_many_lines)] // a list of ways
-pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f64) -> f64)) {
+pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, Made)) {
     let ignored = "Change `{}` alone: does your answer change as it should?";
     let square = "Write down the formula with units: to which power does `{}` stand in it? If it is compared with something, are both sides squared, or neither?";
     let factor = "Write down the formula: by which number is `{}` multiplied or divided?";
@@ -100,7 +103,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
         "May `{}` be negative, and what does that mean?",
         |v| v.max(0.0),
     );
-    let most: [(u32, fn(f64) -> f64); 4] = [
+    let most: [(u32, Made); 4] = [
         (10, |v| v.min(10.0)),
         (100, |v| v.min(100.0)),
         (1000, |v| v.min(1000.0)),
@@ -165,7 +168,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f6
 }
 
 /// The ways to misread a whole number.
-pub(super) fn wholes(name: &str, each: &mut impl FnMut(String, u32, &str, fn(f64) -> f64)) {
+pub(super) fn wholes(name: &str, each: &mut impl FnMut(String, u32, &str, Made)) {
     let counted = "Count by hand for the smallest case: does `{}` begin at 0 or at 1, and is its last value counted?";
     each(format!("takes one more than {name}"), 24, counted, |v| {
         v + 1.0

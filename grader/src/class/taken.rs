@@ -52,10 +52,11 @@ fn references(language: Language) -> &'static [Reference] {
     REFERENCES[language as usize].get_or_init(|| {
         let of = |language, name| Some(tokens(language, &starter::reference(language, name)?));
         let is_long = |language, name| of(language, name).is_some_and(|it| it.len() >= LONG);
-        let names = cases::all().into_iter().map(|examiner| examiner.name());
-        names
-            .filter(|name| Language::ALL.iter().all(|&each| is_long(each, name)))
-            .filter_map(|name| Some((name, of(language, name)?)))
+        let is_watched = |name| Language::ALL.iter().all(|&each| is_long(each, name));
+        cases::all()
+            .into_iter()
+            .filter(|examiner| is_watched(examiner.name()))
+            .filter_map(|examiner| Some((examiner.name(), of(language, examiner.name())?)))
             .collect()
     })
 }

@@ -11,7 +11,7 @@ mod many;
 mod one_process;
 mod totals;
 
-use raybook_grader::ask::{Reply, Said, ask};
+use raybook_grader::ask::{Reply, Said, Waited, ask};
 use raybook_grader::converse::{Limits, Program};
 use std::time::Duration;
 
@@ -42,4 +42,10 @@ fn said(script: &str, questions: usize) -> Vec<Said> {
 
 fn answer(text: &str) -> Said {
     Said::Answer(text.into())
+}
+
+/// No answer in the time for one, which was not shortened.
+fn timed_out(time: Duration) -> Said {
+    let at_first = time;
+    Said::TimedOut(Waited { time, at_first })
 }

@@ -112,7 +112,7 @@ fn the_first_hour() {
     );
 
     let key = home.path().join("key");
-    fs::write(&key, "secret\n").expect("a file");
+    fs::write(&key, "secret, and long enough\n").expect("a file");
     let (code, said) = raybook(
         &rays,
         &[

@@ -242,7 +242,7 @@ mod in_a_shell {
                 &folder.join("answers"),
                 "#!/bin/sh\nwhile read -r q; do echo '= 1 2 3'; done\n",
             );
-            fs::write(folder.join("key"), "k").expect("a key");
+            fs::write(folder.join("key"), "a key of 16 bytes").expect("a key");
             let program = format!("{name}/answers");
             let key = format!("{name}/key");
             let student = ["--key-file", &key, "--student", name, "--term", name];

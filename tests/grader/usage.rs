@@ -8,7 +8,12 @@ use std::fs;
 fn wrong_usage_is_explained() {
     let home = tempfile::tempdir().expect("a temporary folder");
     fs::create_dir(home.path().join("full")).expect("a folder");
-    for (file, text) in [("full/file", ""), ("blank", ""), ("line", " \n")] {
+    for (file, text) in [
+        ("full/file", ""),
+        ("blank", ""),
+        ("line", " \n"),
+        ("short", "fifteen letters\n"),
+    ] {
         fs::write(home.path().join(file), text).expect("a file");
     }
     for (arguments, part) in [
@@ -27,6 +32,10 @@ fn wrong_usage_is_explained() {
         (
             &["check", "--key-file", "line", "--student", "7"],
             "it is empty",
+        ),
+        (
+            &["check", "--key-file", "short", "--student", "7"],
+            "shorter than 16 bytes, so that anybody could foresee the hidden cases. This makes a good key: head -c 32",
         ),
         (
             &["check", "--key-file", "-", "--student", "7"],

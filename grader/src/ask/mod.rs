@@ -10,7 +10,7 @@
 
 mod reply;
 
-pub use reply::{Reply, Said};
+pub use reply::{Reply, Said, Waited};
 
 use crate::budget::Budget;
 use crate::converse::{BREATH, Conversation, End, Limits, Prints, Process, Program, Waits};
@@ -169,9 +169,9 @@ impl<'a> Asker<'a> {
                 _ if answers.len() < open && open > 1 => ahead = 1,
                 _ if !answers.is_empty() => replies.extend(answers.into_iter().map(Reply::of)),
                 Some(end @ (End::TimedOut(_) | End::Flooded(_) | End::Over(_))) => {
-                    replies.push(Reply::none(silence(end), leftover));
+                    replies.push(Reply::none(self.silence(end), leftover));
                 }
-                Some(end) if fresh => replies.push(Reply::none(silence(end), leftover)),
+                Some(end) if fresh => replies.push(Reply::none(self.silence(end), leftover)),
                 // It may have died of an earlier question, or of too many.
                 _ => self.ask_apart(asked, &mut replies)?,
             }
@@ -218,6 +218,11 @@ impl<'a> Asker<'a> {
             self.start / part
         };
         (limits, start)
+    }
+
+    /// Why a program that ended like this gave no answer.
+    fn silence(&self, end: End) -> Said {
+        silence(end, self.limits.time)
     }
 
     /// Counts a wait in vain for one question. Of several, those without an answer are asked again, and have all of their time. Who has
@@ -292,7 +297,7 @@ impl<'a> Asker<'a> {
         } else if end != Some(End::TooMany) && answers.len() == questions.len() {
             replies.extend(answers.into_iter().map(Reply::of));
         } else if let [_] = questions {
-            let said = end.map_or_else(|| Said::Ended(String::new()), silence);
+            let said = end.map_or_else(|| Said::Ended(String::new()), |end| self.silence(end));
             replies.push(Reply::none(said, leftover));
         } else {
             for part in questions.chunks(questions.len().div_ceil(PARTS)) {

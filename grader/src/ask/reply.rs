@@ -4,6 +4,7 @@ use crate::budget::Over;
 use crate::contain;
 use crate::converse::{End, Prints};
 use raybook_chapters::kit::untrusted::Untrusted;
+use std::fmt::{self, Display, Formatter};
 use std::process::ExitStatus;
 use std::time::Duration;
 
@@ -29,8 +30,8 @@ pub enum Said {
     Refused(Untrusted),
     /// The program ended without an answer.
     Ended(String),
-    /// No answer came in this time.
-    TimedOut(Duration),
+    /// No answer came in time.
+    TimedOut(Waited),
     /// This number of bytes was printed without an answer.
     Flooded(usize),
     /// This number of answers was given to the one question.
@@ -39,6 +40,15 @@ pub enum Said {
     NotAsked(usize),
     /// It was not asked or not waited for: a total limit is used up.
     Over(Over),
+}
+
+/// How long an answer was waited for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Waited {
+    /// The time for this answer.
+    pub time: Duration,
+    /// The time for an answer as long as none was waited for in vain.
+    pub at_first: Duration,
 }
 
 impl Said {
@@ -51,10 +61,7 @@ impl Said {
             Self::Panicked(message) => format!("your function stopped with an error: {message}"),
             Self::Refused(why) => format!("your program could not read the question: {why}"),
             Self::Ended(how) => format!("your program ended without an answer: {how}"),
-            Self::TimedOut(limit) => format!(
-                "no answer within {} s: does a loop never end?",
-                limit.as_secs_f32()
-            ),
+            Self::TimedOut(waited) => format!("no answer within {waited}: does a loop never end?"),
             Self::Flooded(bytes) => format!("your program printed {bytes} bytes and no answer"),
             Self::TooMany(answers) => {
                 format!("your program gave {answers} answers to one question")
@@ -86,6 +93,20 @@ impl Said {
             self,
             Self::Answer(_) | Self::Todo(_) | Self::Panicked(_) | Self::Refused(_)
         )
+    }
+}
+
+impl Display for Waited {
+    fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
+        let [time, at_first] = [self.time, self.at_first].map(|time| time.as_secs_f32());
+        write!(f, "{time} s")?;
+        if time < at_first {
+            write!(
+                f,
+                " (at first it was {at_first} s; the time is shortened after each question without an answer)"
+            )?;
+        }
+        Ok(())
     }
 }
 
@@ -127,11 +148,11 @@ fn understand(answer: Untrusted) -> Said {
     }
 }
 
-/// Why a program that ended like this gave no answer.
-pub(super) fn silence(end: End) -> Said {
+/// Why a program that ended like this gave no answer, for which it has had this time at first.
+pub(super) fn silence(end: End, at_first: Duration) -> Said {
     match end {
         End::Exited(status) => Said::Ended(status.map_or_else(String::new, describe)),
-        End::TimedOut(limit) => Said::TimedOut(limit),
+        End::TimedOut(time) => Said::TimedOut(Waited { time, at_first }),
         End::Flooded(bytes) => Said::Flooded(bytes),
         End::TooMany => Said::TooMany(2),
         End::Over(over) => Said::Over(over),

@@ -2,6 +2,7 @@
 
 use super::drawn;
 use super::grades::Known;
+use super::stage;
 use crate::ask::Said;
 use crate::check::{Mark, Outcome, Report, State};
 use crate::examine::Examiner;
@@ -100,6 +101,10 @@ impl Marked {
 
     /// The result of a report.
     pub fn of(report: &Report, examiner: &dyn Examiner) -> Self {
+        if is_unknown(report) {
+            let (standing, why) = stage::nothing();
+            return Self::without_cases(standing, &why);
+        }
         let named = examiner.named().map_or(0, |named| named.len());
         let is_right = |outcome: &&Outcome| outcome.verdict == Mark::Right;
         let visible = || {
@@ -164,6 +169,16 @@ impl Marked {
             && right == visible
             && self.right[0] < self.right[1]
     }
+}
+
+/// Whether the program knows nothing of the exercise: the answer programs of workbooks say so of one that is the instructor's own.
+fn is_unknown(report: &Report) -> bool {
+    let words = format!("there is no exercise `{}`", report.exercise);
+    let is_said = |said: &Said| matches!(said, Said::Refused(why) if why.unescaped() == words);
+    report
+        .cases
+        .iter()
+        .all(|outcome| is_said(&outcome.reply.said))
 }
 
 impl Record {

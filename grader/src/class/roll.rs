@@ -142,6 +142,22 @@ impl<'a> Results<'a> {
         roll_of(&value).ok_or_else(damaged)
     }
 
+    /// Refuses the folder to another course key than its roll was made with: with it everything would be graded again.
+    ///
+    /// # Errors
+    /// If it is another.
+    pub fn only_for(&self, key: &str) -> Result<(), String> {
+        match self.roll() {
+            Ok(roll) if roll.key != key => Err(format!(
+                "{}: these results were made with another course key (its fingerprint is {}, that of this key is {key}). Grade with that key, or into another folder (--out); remove this folder to grade everything again",
+                Untrusted::from(self.folder),
+                Untrusted::from(roll.key.as_str())
+            )),
+            // Where there is no roll that can be read, one is made anew.
+            _ => Ok(()),
+        }
+    }
+
     /// The points as they were last written, by student; nothing if there are none.
     ///
     /// # Errors

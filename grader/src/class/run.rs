@@ -172,12 +172,12 @@ impl Worker<'_> {
     ) -> Result<(), Trouble> {
         let program = match program {
             Ok(program) => program,
-            Err(why) => {
+            Err((standing, why)) => {
                 for (i, examiner) in examiners.into_iter().enumerate() {
                     exercises.remove(examiner.name());
-                    // The compiler's words are kept once.
+                    // The words, which may be a compiler's, are kept once.
                     let why = if i == 0 { &why } else { "" };
-                    let result = Marked::without_cases(Standing::NotBuilt, why);
+                    let result = Marked::without_cases(standing, why);
                     if !self.told(examiner.name(), result) {
                         break;
                     }

@@ -3,6 +3,7 @@
 use super::files::Files;
 use super::prebuilt::Prebuilt;
 use super::programs::programs;
+use super::record::Standing;
 use super::shortage::Shortage;
 use crate::converse::Program;
 use crate::examine::Examiner;
@@ -18,8 +19,11 @@ use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Mutex;
 
-/// A program of a hand-in, or why there is none, and the exercises that it is asked.
-pub type Staged = (Result<Program, String>, Vec<&'static dyn Examiner>);
+/// A program of a hand-in, or how its exercises stand without one, and why; and the exercises that it is asked.
+pub type Staged = (
+    Result<Program, (Standing, String)>,
+    Vec<&'static dyn Examiner>,
+);
 
 /// Something that says nothing about the hand-in.
 pub type Trouble = String;
@@ -107,7 +111,7 @@ impl Stage {
         let mut staged = Vec::new();
         for (mut sources, exercises) in programs(language, files, exercises) {
             let program = match (language, sources.first()) {
-                (_, None) => Err(NOTHING.to_owned()),
+                (_, None) => Err(nothing()),
                 (Language::Python, Some(file)) => Ok(self.python(&folder, file)?),
                 _ => {
                     let output = folder
@@ -159,7 +163,8 @@ impl Stage {
     ) -> Result<Vec<Staged>, Trouble> {
         if !files.contains_key("src/lib.rs") {
             let why = "there is no src/lib.rs in it: a hand-in in Rust is a whole workbook";
-            return Ok(vec![(Err(why.to_owned()), exercises.to_vec())]);
+            let why = (Standing::NotBuilt, why.to_owned());
+            return Ok(vec![(Err(why), exercises.to_vec())]);
         }
         self.warm_up()?;
         let of_own = |name: &str| format!("src/bin/{name}.rs");
@@ -200,7 +205,7 @@ impl Stage {
             let program = if files.contains_key(&of_own(examiner.name())) {
                 build(examiner.name())?
             } else {
-                Err(NOTHING.to_owned())
+                Err(nothing())
             };
             staged.push((program, vec![examiner]));
         }
@@ -212,7 +217,7 @@ impl Stage {
         &self,
         folder: &Path,
         mut compile: impl FnMut() -> (Result<Program, StudentError>, String),
-    ) -> Result<Result<Program, String>, Trouble> {
+    ) -> Result<Result<Program, (Standing, String)>, Trouble> {
         /// Words of a compiler that the system ended. A hand-in can have a compiler say them too.
         const ENDED: [&str; 3] = ["signal: 9", "Killed signal", "No space left on device"];
         let is_ended = |said: &str| ENDED.iter().any(|words| said.contains(words));
@@ -233,8 +238,10 @@ impl Stage {
             Err(_) if is_ended(&said) && self.shortage.is_there() => {
                 Err(format!("the compiler was ended: {said}"))
             }
-            Err(StudentError::DoesNotCompile) => Ok(Err(said)),
-            Err(error @ StudentError::NoProgram { .. }) => Ok(Err(error.to_string())),
+            Err(StudentError::DoesNotCompile) => Ok(Err((Standing::NotBuilt, said))),
+            Err(error @ StudentError::NoProgram { .. }) => {
+                Ok(Err((Standing::NotBuilt, error.to_string())))
+            }
             Err(error) => Err(error.to_string()),
         }
     }
@@ -269,8 +276,11 @@ impl Stage {
 /// What the folder of a hand-in is called where its student reads of it.
 pub const PLACE: &str = "hand-in";
 
-/// What is said where no file answers an exercise.
-const NOTHING: &str = "no file of the hand-in answers this exercise";
+/// How an exercise stands that no file answers.
+pub fn nothing() -> (Standing, String) {
+    let why = "no file of the hand-in answers this exercise";
+    (Standing::NotStarted, why.to_owned())
+}
 
 /// Writes files into a folder, which is made.
 ///

@@ -9,7 +9,7 @@ use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::class::changes::changes;
 use raybook_grader::class::course::Course;
-use raybook_grader::class::exam::Exam;
+use raybook_grader::class::exam::{self, Exam};
 use raybook_grader::class::grades::{Known, Sheet};
 use raybook_grader::class::hand_in::{self, HandIn};
 use raybook_grader::class::journal::{self, Journal};
@@ -63,6 +63,7 @@ impl Grade {
         let examiners = self.golden.replace(course.examiners())?;
         let sandbox = self.sandbox(&course, examiners.len())?;
         let results = Results::take(&self.out)?;
+        results.only_for(&exam::fingerprint(&key))?;
         let mut journal = Journal::open(&self.out)?;
         let told = journal::read(&self.out)?;
         if told.damaged > 0 {

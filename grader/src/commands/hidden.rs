@@ -9,6 +9,9 @@ use std::path::{Path, PathBuf};
 /// A key that is longer is a wrong file.
 const LONGEST_KEY: u64 = 1 << 16;
 
+/// A key of fewer bytes can be found by trying all that are as short.
+const SHORTEST_KEY: usize = 16;
+
 /// The options of hidden cases. The key is in no option: every process of this machine can read those.
 #[derive(clap::Args)]
 pub struct Hidden {
@@ -35,7 +38,7 @@ impl Hidden {
     /// The key of these cases; none if the visible ones are asked. What ends the key's line is no part of it.
     ///
     /// # Errors
-    /// If the key cannot be read, or is empty.
+    /// If the key cannot be read, or is too short.
     pub fn key(&self) -> Result<Option<Key>, String> {
         let (Some(file), Some(student)) = (&self.key_file, &self.student) else {
             return Ok(None);
@@ -72,7 +75,7 @@ impl Hidden {
 /// The course key in a file, or on standard input where that is `-`. What ends its line is no part of it.
 ///
 /// # Errors
-/// If it cannot be read, or is empty.
+/// If it cannot be read, or is too short.
 pub fn read_key(file: &Path) -> Result<String, String> {
     let wrong = |why: &str| format!("--key-file {}: {why}", Untrusted::from(file));
     let mut course = String::new();
@@ -88,10 +91,12 @@ pub fn read_key(file: &Path) -> Result<String, String> {
         return Err(wrong("it is longer than 64 kB: is it the right file?"));
     }
     let course = course.trim_end_matches(['\n', '\r']);
-    if course.trim().is_empty() {
-        return Err(wrong(
-            "it is empty, so that anybody could foresee the hidden cases",
-        ));
-    }
-    Ok(course.to_owned())
+    let what = match course.trim().len() {
+        0 => "empty".to_owned(),
+        bytes if bytes < SHORTEST_KEY => format!("shorter than {SHORTEST_KEY} bytes"),
+        _ => return Ok(course.to_owned()),
+    };
+    Err(wrong(&format!(
+        "it is {what}, so that anybody could foresee the hidden cases. This makes a good key: head -c 32 /dev/urandom | base64 > course.key"
+    )))
 }

@@ -1,6 +1,6 @@
 //! Programs that crash, hang, keep silent, flood, or are not there.
 
-use crate::ask::{LIMITS, answer, said};
+use crate::ask::{LIMITS, answer, said, timed_out};
 use raybook_grader::ask::{Said, ask};
 use raybook_grader::converse::Program;
 
@@ -39,7 +39,7 @@ fn a_hang_is_stopped_and_the_others_are_asked() {
     );
     assert_eq!(
         said,
-        [answer("1"), Said::TimedOut(LIMITS.time), answer("3")],
+        [answer("1"), timed_out(LIMITS.time), answer("3")],
         "only question 2 hangs"
     );
 }
@@ -63,11 +63,7 @@ fn a_slow_start_is_borne_and_an_endless_one_is_not() {
     assert_eq!(heard, [answer("1"), answer("2")], "it wakes up");
     for endless in ["while :; do :; done", "sleep 600"] {
         let heard = said(endless, 1);
-        assert_eq!(
-            heard,
-            [Said::TimedOut(LIMITS.time)],
-            "{endless}: it never does"
-        );
+        assert_eq!(heard, [timed_out(LIMITS.time)], "{endless}: it never does");
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::ask::answer;
 use crate::ask::counted::Counted;
-use raybook_grader::ask::{Asker, Said};
+use raybook_grader::ask::{Asker, Said, Waited};
 use raybook_grader::converse::Limits;
 use std::time::{Duration, Instant};
 
@@ -108,7 +108,10 @@ fn who_hangs_in_many_exercises_and_then_answers_is_found_right() {
 #[test]
 fn each_wait_in_vain_halves_the_time_for_the_next_answers_of_the_exercise() {
     let counted = Counted::new(HANGS);
-    let milliseconds = |time| Said::TimedOut(Duration::from_millis(time));
+    let milliseconds = |time| {
+        let [time, at_first] = [time, 480].map(Duration::from_millis);
+        Said::TimedOut(Waited { time, at_first })
+    };
     let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(480)));
     for _ in 0..2 {
         asker.next_exercise();

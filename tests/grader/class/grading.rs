@@ -149,6 +149,10 @@ fn a_class_is_graded() {
         "what the compiler said"
     );
     assert!(
+        page("empty").contains("refused") && !page("empty").contains("not graded"),
+        "a refused hand-in has no points, and not none yet"
+    );
+    assert!(
         !page("peeks").contains("root:"),
         "and not what it must not read"
     );

@@ -214,7 +214,7 @@ fn a_workbook_in_rust_answers_them_in_programs_of_their_names() {
     for (student, exercise, standing) in [
         ("ron", "ray_at", "right"),
         ("ron", "lens_power", "right"),
-        ("ron", "toward_focus", "does not compile"),
+        ("ron", "toward_focus", "not started"),
         ("sue", "ray_at", "right"),
         ("sue", "lens_power", "wrong"),
         ("sue", "toward_focus", "does not compile"),
@@ -229,6 +229,43 @@ fn a_workbook_in_rust_answers_them_in_programs_of_their_names() {
     assert!(page.contains("no file of the hand-in answers"), "{page}");
     let page = text(&course.path("results/students/sue/index.html"));
     assert!(page.contains("cannot find value"), "{page}");
+}
+
+#[test]
+fn what_no_file_answers_is_not_started() {
+    let course = course(ANSWERS);
+    fs::remove_dir_all(course.path("hand-ins")).expect("hand-ins");
+    for language in ["python", "cpp"] {
+        let (code, said) = course.say(&[
+            "new",
+            &format!("hand-ins/{language}"),
+            "--language",
+            language,
+        ]);
+        assert_eq!(code, Some(0), "{said}");
+    }
+    course.hand_in("alone/lens_power.py", LENS);
+    course.hand_in("alone/camera_ray.py", "print('= todo')\n");
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    for (student, exercise) in [
+        ("python", "lens_power"),
+        ("python", "toward_focus"),
+        ("cpp", "lens_power"),
+        ("cpp", "toward_focus"),
+        ("alone", "toward_focus"),
+    ] {
+        assert_eq!(
+            course.standing(student, exercise),
+            "not started",
+            "{student}, {exercise}"
+        );
+    }
+    for student in ["python", "cpp"] {
+        let page = text(&course.path(&format!("results/students/{student}/index.html")));
+        assert!(page.contains("no file of the hand-in answers"), "{page}");
+        assert!(!page.contains("there is no exercise"), "{page}");
+    }
 }
 
 #[test]

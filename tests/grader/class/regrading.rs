@@ -12,8 +12,21 @@ fn other_hidden_cases_for_another_term_or_key() {
     let asked = |said: &str| said.contains(", 1 to grade");
     assert!(asked(&course.grade(&[]).1), "at first");
     assert!(!asked(&course.grade(&[]).1), "known");
-    fs::write(course.path("key"), "another key").expect("it is written");
-    assert!(asked(&course.grade(&[]).1), "another key");
+    fs::write(course.path("key"), "another key of a course").expect("it is written");
+    let files = || {
+        ["run.jsonl", "class.json", "grades.csv"]
+            .map(|file| text(&course.path("results").join(file)))
+    };
+    let before = files();
+    let (code, said) = course.grade(&[]);
+    assert!(
+        code == Some(2) && said.contains("another course key") && said.contains("--out"),
+        "{said}"
+    );
+    assert_eq!(files(), before, "nothing of it changes");
+    assert!(asked(&course.grade(&["--out", "others"]).1), "another key");
+    fs::remove_dir_all(course.path("results")).expect("it was there");
+    assert!(asked(&course.grade(&[]).1), "everything, as is said");
     fs::write(course.path("course.toml"), COURSE.replace("now", "later")).expect("it is written");
     assert!(asked(&course.grade(&[]).1), "another term");
     for (file, text, words) in [

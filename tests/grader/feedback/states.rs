@@ -2,7 +2,7 @@
 
 use crate::feedback::{report, right, told};
 use raybook_common::snapshot;
-use raybook_grader::ask::Said;
+use raybook_grader::ask::{Said, Waited};
 use raybook_grader::cases;
 use raybook_grader::check::State;
 use raybook_grader::dress::Dress;
@@ -12,6 +12,10 @@ use std::time::Duration;
 
 #[test]
 fn no_answer() {
+    let timed_out = |time| {
+        let [time, at_first] = [time, 2.0].map(Duration::from_secs_f32);
+        Said::TimedOut(Waited { time, at_first })
+    };
     for (name, said) in [
         (
             "panicked",
@@ -28,7 +32,8 @@ fn no_answer() {
                     .into(),
             ),
         ),
-        ("timed_out", Said::TimedOut(Duration::from_secs(2))),
+        ("timed_out", timed_out(2.0)),
+        ("timed_out_sooner", timed_out(0.125)),
         ("flooded", Said::Flooded(1_048_600)),
         ("too_many", Said::TooMany(2)),
         ("none", Said::Answer("none".into())),

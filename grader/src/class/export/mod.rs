@@ -98,7 +98,9 @@ fn of_student(class: &Class<'_>, grade: &Grade) -> Value {
 /// What a student is told of an exercise, in a sentence or a few lines. Nothing in it tells of hidden cases.
 fn words(exercise: &ExerciseGrade) -> String {
     let Some(result) = &exercise.result else {
-        return "not graded".to_owned();
+        // The points of a hand-in that is refused are known without a result.
+        let what = exercise.points.map_or("not graded", |_| "refused");
+        return what.to_owned();
     };
     let [right, asked] = result.right;
     let mut words = match result.standing {

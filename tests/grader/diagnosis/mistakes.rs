@@ -361,7 +361,7 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "sphere_normal",
         "subtracts the radius",
-        &["normal", "radius"],
+        &["normal", "radius", "subtracts “|p − c|”"],
         |q, _| {
             let n: Vec<_> = (0..3).map(|i| q[4 + i] - q[i] - q[3]).collect();
             let l = length(&n);

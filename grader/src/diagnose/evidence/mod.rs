@@ -214,8 +214,8 @@ impl<'a> Evidence<'a> {
         unit
     }
 
-    /// What is predicted, where the student normalises a direction that is made of it.
-    fn normalised(&self, mut prediction: Vec<f64>) -> Vec<f64> {
+    /// What a slip makes, where the student normalises the direction that comes of it.
+    pub fn normalised(&self, mut prediction: Vec<f64>) -> Vec<f64> {
         if self.unit.contains(&true) {
             for leaf in layout(self.kind(), &prediction).leaves {
                 let vector = &mut prediction[leaf.range()];

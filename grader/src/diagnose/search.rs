@@ -198,7 +198,10 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
 /// All explanations by a step that goes wrong.
 fn by_slips(evidence: &Evidence<'_>, share: f64, slips: Vec<Slipped>, found: &mut Vec<Found>) {
     for slip in slips {
-        let answer = |k: usize| slip.answer(&evidence.items[k].question);
+        let answer = |k: usize| {
+            let made = slip.answer(&evidence.items[k].question)?;
+            Some(evidence.normalised(made))
+        };
         let one = Explanation {
             name: slip.name.clone(),
             hint: slip.hint.clone(),

@@ -122,7 +122,11 @@ pub const MISTAKES: &[Slip] = &[
         &["begins inside"],
         |q, right| {
             let m = [q[0] - q[8], q[1] - q[9], q[2] - q[10]];
-            if length(&m) < q[11] { vec![0.0] } else { right(q) }
+            if length(&m) < q[11] {
+                vec![0.0]
+            } else {
+                right(q)
+            }
         },
     ),
     slip(
@@ -357,7 +361,7 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "sphere_normal",
         "subtracts the radius",
-        &["normal", "radius"],
+        &["normal", "radius", "subtracts “|p − c|”"],
         |q, _| {
             let n: Vec<_> = (0..3).map(|i| q[4 + i] - q[i] - q[3]).collect();
             let l = length(&n);

@@ -137,7 +137,7 @@ impl Evidence<'_> {
         if prediction.len() > MUCH + 2 * item.got.len() {
             return None; // a misread density makes lists of a million cells
         }
-        let prediction = self.normalised(self.canonical(&item.question, prediction));
+        let prediction = self.canonical(&item.question, prediction);
         match self.scope {
             Scope::Part(part) => self.projected(part, item.golden(), &prediction),
             _ => Some(prediction),

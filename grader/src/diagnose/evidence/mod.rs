@@ -200,7 +200,10 @@ impl<'a> Evidence<'a> {
 
     /// Whether each part is a vector of length 1 in all answers, in right ones and the student's.
     fn unit(&self) -> Vec<bool> {
-        let all = self.items.iter().flat_map(|item| [item.golden(), &item.got]);
+        let all = self
+            .items
+            .iter()
+            .flat_map(|item| [item.golden(), &item.got]);
         let mut unit = vec![true; self.parts.len()];
         for answer in all {
             for leaf in layout(self.kind(), answer).leaves {
@@ -211,8 +214,8 @@ impl<'a> Evidence<'a> {
         unit
     }
 
-    /// What is predicted, where the student normalises a direction that is made of it.
-    fn normalised(&self, mut prediction: Vec<f64>) -> Vec<f64> {
+    /// What a slip makes, where the student normalises the direction that comes of it.
+    pub fn normalised(&self, mut prediction: Vec<f64>) -> Vec<f64> {
         if self.unit.contains(&true) {
             for leaf in layout(self.kind(), &prediction).leaves {
                 let vector = &mut prediction[leaf.range()];

@@ -73,7 +73,7 @@ fn what_is_wrong_is_said_at_once_and_nothing_is_written() {
         (
             &*misspelt,
             &["render", "scene.toml"][..],
-            "error: scene.toml:10:1: a shape of the kind `sphere` needs `radius_m`",
+            "error: scene.toml:13:1: a shape of the kind `sphere` needs `radius_m`: is it meant by `radios_m`?",
         ),
         (
             SCENE,

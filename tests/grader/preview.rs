@@ -107,7 +107,7 @@ fn a_saved_file_is_drawn_again_at_once_and_a_wrong_one_leaves_the_picture() {
     // The last picture would take hours; only who is stopped draws the next scene.
     let before = preview.wait_for("says", "of 1000000 samples per pixel");
     fs::write(&scene, SCENE.replace("radius_m", "radios_m")).expect("written");
-    let stayed = preview.wait_for("error", "scene.toml:10:1: a shape of the kind `sphere`");
+    let stayed = preview.wait_for("error", "scene.toml:13:1: a shape of the kind `sphere`");
     assert!(stayed >= before, "{before} pictures, then {stayed}");
     assert_eq!(
         picture(folder.path(), &preview.get("picture.png")).height() % 2,

@@ -36,9 +36,11 @@ const JIGGLES: usize = 64;
 
 impl dyn Examiner + '_ {
     /// How many further random questions are asked of who is right in these cases. None of an instructor's own exercise, of which nothing is known
-    /// but right answers, nor of one that has further questions of its own.
+    /// but right answers, nor of one that has hundreds of further questions of its own.
     pub fn rare_count(&self, cases: &[Case], depth: Depth) -> usize {
-        if self.mistake(0).is_none() || !self.further(&mut visible_rng("")).is_empty() {
+        /// Further questions of its own that are enough.
+        const ENOUGH: usize = 100;
+        if self.mistake(0).is_none() || self.further(&mut visible_rng("")).len() > ENOUGH {
             return 0;
         }
         let random = cases.iter().filter(|case| case.is_random());

@@ -54,6 +54,7 @@ pub enum Slip {
     AllRefracted,
     NothingMirroredInGlass,
     SharesExchanged,
+    NoShares,
     FresnelFromOutside,
     FresnelBackwards,
     FresnelTurned,

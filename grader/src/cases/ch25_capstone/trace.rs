@@ -349,6 +349,11 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::HeightForShare),
         },
         Mistake {
+            name: "adds the mirrored and the refracted light of glass without their shares",
+            hint: "Glass splits the light: can more leave its surface than arrives?",
+            answer: |q| answer(q, Slip::NoShares),
+        },
+        Mistake {
             name: "exchanges what glass mirrors and what it lets through",
             hint: "Look straight into a window: do you see yourself, or what is behind it?",
             answer: |q| answer(q, Slip::SharesExchanged),

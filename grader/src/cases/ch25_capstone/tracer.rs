@@ -131,6 +131,9 @@ impl<'a> Tracer<'a> {
                 } else {
                     see_from(behind)
                 };
+                if self.is(Slip::NoShares) {
+                    return through + mirrored();
+                }
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {
                     through

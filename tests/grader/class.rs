@@ -96,6 +96,13 @@ impl Course {
         fs::write(path, text).expect("a file");
     }
 
+    /// Hands in what students of a language are given, under its name.
+    pub fn hand_in_starter(&self, language: &str) {
+        let folder = format!("hand-ins/{language}");
+        let (code, said) = self.say(&["new", &folder, "--language", language]);
+        assert_eq!(code, Some(0), "{said}");
+    }
+
     pub fn command(&self, arguments: &[&str]) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_raybook"));
         command.args(arguments).current_dir(self.home.path());

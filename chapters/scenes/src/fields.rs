@@ -85,7 +85,8 @@ impl<'a> Fields<'a> {
     ) -> Result<T, TextError> {
         read(self, key)?.ok_or_else(|| {
             let needs = format!("{} needs {}", self.what, shown(key));
-            self.nearly(key).map_or_else(
+            let is_near = |name: &str| !did_you_mean(name, [key]).is_empty();
+            self.unread(is_near).map_or_else(
                 || self.source.wrong(self.start, &needs),
                 |name| {
                     let message = format!("{needs}: is it meant by {}?", shown(name.get_ref()));
@@ -95,15 +96,15 @@ impl<'a> Fields<'a> {
         })
     }
 
-    /// The first field that nobody has read and that is called nearly so.
-    fn nearly(&self, key: &str) -> Option<&'a Spanned<Cow<'a, str>>> {
+    /// The first of the fields that nobody has read and that are called so.
+    fn unread(&self, is_so: impl Fn(&str) -> bool) -> Option<&'a Spanned<Cow<'a, str>>> {
         let asked = self.asked.borrow();
-        let is_near = |name: &&'a Spanned<Cow<'a, str>>| {
-            let name = &**name.get_ref();
-            !asked.contains(&name) && !did_you_mean(name, [key]).is_empty()
-        };
         let names = self.table.iter().map(|(name, _)| name);
-        names.filter(is_near).min_by_key(|name| name.span().start)
+        let unread = names.filter(|name| {
+            let name = &**name.get_ref();
+            !asked.contains(&name) && is_so(name)
+        });
+        unread.min_by_key(|name| name.span().start)
     }
 
     /// A length in metres, above 0.
@@ -351,12 +352,10 @@ impl<'a> Fields<'a> {
     /// # Errors
     /// The first field that was not read.
     pub fn finish(self) -> Result<(), TextError> {
-        let asked = self.asked.borrow();
-        let unknown = |name: &&Spanned<Cow<str>>| !asked.contains(&&**name.get_ref());
-        let names = self.table.iter().map(|(name, _)| name);
-        let Some(first) = names.filter(unknown).min_by_key(|name| name.span().start) else {
+        let Some(first) = self.unread(|_| true) else {
             return Ok(());
         };
+        let asked = self.asked.borrow();
         let name = &**first.get_ref();
         let hint = did_you_mean(name, asked.iter().copied());
         let hint = if hint.is_empty() {

@@ -118,26 +118,29 @@ fn phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
 }
 
 fn modified_phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
-    let (share, exponent) = highlight(fields)?;
-    Ok(paint(fields)?.make(move |albedo| ModifiedPhong {
-        diffuse: below(albedo, share),
-        specular: Rgb::gray(share),
+    glossy(fields, |diffuse, specular, exponent| ModifiedPhong {
+        diffuse,
+        specular,
         exponent,
-    }))
+    })
 }
 
 fn blinn_phong(fields: &Fields) -> Result<Arc<dyn Material>, TextError> {
-    let (share, exponent) = highlight(fields)?;
-    Ok(paint(fields)?.make(move |albedo| NormalisedBlinnPhong {
-        diffuse: below(albedo, share),
-        specular: Rgb::gray(share),
+    glossy(fields, |diffuse, specular, exponent| NormalisedBlinnPhong {
+        diffuse,
+        specular,
         exponent,
-    }))
+    })
 }
 
-/// The matte part below a highlight of this share: so no more light leaves than arrives.
-fn below(albedo: Rgb, share: f32) -> Rgb {
-    albedo * (1.0 - share)
+/// What is made of the matte share, the highlight's share and its exponent, where no more light leaves than arrives.
+fn glossy<M: Material + 'static>(
+    fields: &Fields,
+    make: fn(Rgb, Rgb, f32) -> M,
+) -> Result<Arc<dyn Material>, TextError> {
+    let (share, exponent) = highlight(fields)?;
+    let glossy = move |albedo| make(albedo * (1.0 - share), Rgb::gray(share), exponent);
+    Ok(paint(fields)?.make(glossy))
 }
 
 /// The share of the highlight and its exponent.

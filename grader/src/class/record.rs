@@ -175,10 +175,11 @@ impl Marked {
 fn is_unknown(report: &Report) -> bool {
     let words = format!("there is no exercise `{}`", report.exercise);
     let is_said = |said: &Said| matches!(said, Said::Refused(why) if why.unescaped() == words);
-    report
-        .cases
-        .iter()
-        .all(|outcome| is_said(&outcome.reply.said))
+    !report.cases.is_empty()
+        && report
+            .cases
+            .iter()
+            .all(|outcome| is_said(&outcome.reply.said))
 }
 
 impl Record {

@@ -229,13 +229,7 @@ fn grades_are_the_same_in_parts_merged_by_concatenation() {
 fn workbooks_in_other_languages_are_graded() {
     let course = Course::new(COURSE);
     for language in ["python", "cpp"] {
-        let (code, said) = course.say(&[
-            "new",
-            &format!("hand-ins/{language}"),
-            "--language",
-            language,
-        ]);
-        assert_eq!(code, Some(0), "{said}");
+        course.hand_in_starter(language);
     }
     let (code, said) = course.grade(&[]);
     assert_eq!(code, Some(0), "{said}");

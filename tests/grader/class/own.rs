@@ -236,13 +236,7 @@ fn what_no_file_answers_is_not_started() {
     let course = course(ANSWERS);
     fs::remove_dir_all(course.path("hand-ins")).expect("hand-ins");
     for language in ["python", "cpp"] {
-        let (code, said) = course.say(&[
-            "new",
-            &format!("hand-ins/{language}"),
-            "--language",
-            language,
-        ]);
-        assert_eq!(code, Some(0), "{said}");
+        course.hand_in_starter(language);
     }
     course.hand_in("alone/lens_power.py", LENS);
     course.hand_in("alone/camera_ray.py", "print('= todo')\n");

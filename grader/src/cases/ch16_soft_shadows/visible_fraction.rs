@@ -1,11 +1,13 @@
 //! `visible_fraction`: random questions, judge and mistakes.
 
-use super::lattice;
+mod fractions;
+
 use crate::{Graded, Mistake, Verdict, judge, sample, traits};
+use fractions::{FINE, exact, seen, seen_past, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook::shape::{Shape, sphere::Sphere};
+use raybook::shape::Shape;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use std::f32::consts::SQRT_2;
@@ -18,9 +20,6 @@ const TINY: f32 = 0.003;
 
 /// How near a ball's border may be to the way to a light, in radii, with no doubt on which side the way is.
 const BESIDE: f32 = 0.01;
-
-/// Points along each side of a lattice that stands for the whole light.
-const FINE: u32 = 32;
 
 impl Graded for VisibleFraction {
     /// The share of a whole light has no edges at which a last digit decides.
@@ -335,11 +334,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes twice the radius of each ball",
             hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls.iter_mut().for_each(|ball| ball.radius *= 2.0);
-                })
-            },
+            answer: |q| by_balls(q, |r| 2.0 * r),
         },
         Mistake {
             name: "forgets the first ball",
@@ -353,40 +348,22 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes the balls for a few percent larger than they are",
             hint: "Which number do you compare with the radius, and is it a distance from the ball's centre? Is anything added to it for safety?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls.iter_mut().for_each(|ball| ball.radius *= 1.05);
-                })
-            },
+            answer: |q| by_balls(q, |r| 1.05 * r),
         },
         Mistake {
             name: "takes the balls for a few percent smaller than they are",
             hint: "Which number do you compare with the radius, and is it a distance from the ball's centre? Is anything subtracted from it for safety?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls.iter_mut().for_each(|ball| ball.radius *= 0.95);
-                })
-            },
+            answer: |q| by_balls(q, |r| 0.95 * r),
         },
         Mistake {
             name: "takes half the radius of each ball",
             hint: "You compare a distance from the centre with a number: is that number a radius or a diameter?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls.iter_mut().for_each(|ball| ball.radius *= 0.5);
-                })
-            },
+            answer: |q| by_balls(q, |r| 0.5 * r),
         },
         Mistake {
             name: "takes the square of a ball's radius for its radius",
             hint: "What do you compare: two lengths, or their squares?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls
-                        .iter_mut()
-                        .for_each(|ball| ball.radius *= ball.radius);
-                })
-            },
+            answer: |q| by_balls(q, |r| r * r),
         },
         Mistake {
             name: "takes balls behind the point for obstacles",
@@ -463,13 +440,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes the root of a ball's radius for its radius",
             hint: "What do you compare: two lengths, or their squares?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    q.balls
-                        .iter_mut()
-                        .for_each(|ball| ball.radius = ball.radius.sqrt());
-                })
-            },
+            answer: |q| by_balls(q, f32::sqrt),
         },
         Mistake {
             name: "divides by one sample more than it takes",
@@ -503,6 +474,15 @@ fn just_beside(ball: &mut Ball, from: Vec3, height: f32, is_free: bool) {
     ball.center = on_the_way + (ball.radius + sign * apart) * side;
 }
 
+/// The answer for balls of other radii.
+fn by_balls(q: &VisibleFraction, radius: fn(f32) -> f32) -> Vec<f32> {
+    VisibleFraction::misread(q, |q| {
+        for ball in &mut q.balls {
+            ball.radius = radius(ball.radius);
+        }
+    })
+}
+
 /// The question of the same light, which shines to the other side.
 fn turned(q: &VisibleFraction) -> VisibleFraction {
     VisibleFraction {
@@ -510,55 +490,4 @@ fn turned(q: &VisibleFraction) -> VisibleFraction {
         a: -q.a,
         ..q.clone()
     }
-}
-
-/// The fractions, by a lattice fine enough to stand for the exact value.
-fn exact(q: &VisibleFraction) -> Vec<f32> {
-    seen(q, FINE, |u| u, [0.0, 1.0])
-}
-
-/// The fraction of point i by a lattice that reaches into the light's corners, and by balls of this scale: where it is 1 for larger balls, all of
-/// the light is seen, and where it is 0 for smaller ones, nothing.
-fn to_the_corners(q: &VisibleFraction, i: usize, scale: f32) -> f32 {
-    let mut scaled = q.clone();
-    scaled.points = vec![q.points[i]];
-    for ball in &mut scaled.balls {
-        ball.radius *= scale;
-    }
-    let reaching = |u| 0.5 + (u - 0.5) * FINE as f32 / (FINE - 1) as f32;
-    seen(&scaled, FINE, reaching, [0.0, 1.0])[0]
-}
-
-/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`
-/// times the distance of the light.
-fn seen(q: &VisibleFraction, n: u32, place: fn(Vec2) -> Vec2, ends: [f32; 2]) -> Vec<f32> {
-    seen_past(q, n, place, |ball, from, r| {
-        let [begin, end] = ends.map(|end| end * r.length());
-        let way = Interval::new(begin, end);
-        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
-    })
-}
-
-/// The fractions by the points of the light to which an n × n lattice is mapped, and by whether a ball blocks the way from a
-/// point along a vector that ends at the light.
-fn seen_past(
-    q: &VisibleFraction,
-    n: u32,
-    place: fn(Vec2) -> Vec2,
-    blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
-) -> Vec<f32> {
-    let balls: Vec<_> = q
-        .balls
-        .iter()
-        .map(|b| Sphere::new(b.center, b.radius))
-        .collect();
-    let arrives = |from: Vec3, u: Vec2| {
-        let r = q.corner + u.x * q.a + u.y * q.b - from;
-        r.dot(q.a.cross(q.b)) < 0.0 && !balls.iter().any(|ball| blocks(ball, from, r))
-    };
-    let fraction = |&p: &Vec3| {
-        let count = lattice(n).filter(|&u| arrives(p, place(u))).count();
-        count as f32 / (n * n) as f32
-    };
-    q.points.iter().map(fraction).collect()
 }

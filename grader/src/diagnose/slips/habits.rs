@@ -174,26 +174,19 @@ pub const POWERS: &[(u32, &str, Powers)] = &[
     (
         12,
         "divides by the base times the exponent where that is negative",
-        |base, exponent| {
-            if exponent < 0.0 {
-                -1.0 / (base * exponent)
-            } else {
-                base.powf(exponent)
-            }
-        },
+        |base, exponent| divided(base, exponent).unwrap_or(base.powf(exponent)),
     ),
     (
         12,
         "multiplies by the exponent instead of raising to the power, and divides where that is negative",
-        |base, exponent| {
-            if exponent < 0.0 {
-                -1.0 / (base * exponent)
-            } else {
-                base * exponent
-            }
-        },
+        |base, exponent| divided(base, exponent).unwrap_or(base * exponent),
     ),
 ];
+
+/// 1 over the base times the exponent's size, where the exponent is negative.
+fn divided(base: f64, exponent: f64) -> Option<f64> {
+    (exponent < 0.0).then(|| -1.0 / (base * exponent))
+}
 
 /// What people make of several things of which one is enough: how common it is, in words before what is decided, and what they decide.
 pub const AMONG: &[(u32, &str, Among)] = &[

@@ -1,0 +1,66 @@
+//! Fractions of a light that are seen, by the points of a lattice on it: rightly, and as students mistake them.
+
+use crate::cases::ch16_soft_shadows::lattice;
+use glam::{Vec2, Vec3};
+use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
+use raybook::shape::{Shape, sphere::Sphere};
+use raybook_workbook::exercises::ch16_soft_shadows::VisibleFraction;
+
+/// Points along each side of a lattice that stands for the whole light.
+pub(super) const FINE: u32 = 32;
+
+/// The fractions, by a lattice fine enough to stand for the exact value.
+pub(super) fn exact(q: &VisibleFraction) -> Vec<f32> {
+    seen(q, FINE, |u| u, [0.0, 1.0])
+}
+
+/// The fraction of point i by a lattice that reaches into the light's corners, and by balls of this scale: where it is 1 for larger balls, all of
+/// the light is seen, and where it is 0 for smaller ones, nothing.
+pub(super) fn to_the_corners(q: &VisibleFraction, i: usize, scale: f32) -> f32 {
+    let mut scaled = q.clone();
+    scaled.points = vec![q.points[i]];
+    for ball in &mut scaled.balls {
+        ball.radius *= scale;
+    }
+    let reaching = |u| 0.5 + (u - 0.5) * FINE as f32 / (FINE - 1) as f32;
+    seen(&scaled, FINE, reaching, [0.0, 1.0])[0]
+}
+
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by rays that begin and end at `ends`
+/// times the distance of the light.
+pub(super) fn seen(
+    q: &VisibleFraction,
+    n: u32,
+    place: fn(Vec2) -> Vec2,
+    ends: [f32; 2],
+) -> Vec<f32> {
+    seen_past(q, n, place, |ball, from, r| {
+        let [begin, end] = ends.map(|end| end * r.length());
+        let way = Interval::new(begin, end);
+        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
+    })
+}
+
+/// The fractions by the points of the light to which an n × n lattice is mapped, and by whether a ball blocks the way from a
+/// point along a vector that ends at the light.
+pub(super) fn seen_past(
+    q: &VisibleFraction,
+    n: u32,
+    place: fn(Vec2) -> Vec2,
+    blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
+) -> Vec<f32> {
+    let balls: Vec<_> = q
+        .balls
+        .iter()
+        .map(|b| Sphere::new(b.center, b.radius))
+        .collect();
+    let arrives = |from: Vec3, u: Vec2| {
+        let r = q.corner + u.x * q.a + u.y * q.b - from;
+        r.dot(q.a.cross(q.b)) < 0.0 && !balls.iter().any(|ball| blocks(ball, from, r))
+    };
+    let fraction = |&p: &Vec3| {
+        let count = lattice(n).filter(|&u| arrives(p, place(u))).count();
+        count as f32 / (n * n) as f32
+    };
+    q.points.iter().map(fraction).collect()
+}

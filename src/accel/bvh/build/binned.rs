@@ -11,7 +11,7 @@ const MANY: usize = 64;
 /// (Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007).
 pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<usize> {
     let cut = if items.len() < MANY {
-        Cut::best_along::<8>(extent.widest(), items, extent, cost)
+        Cut::best_along::<8, 1>([extent.widest()], items, extent, cost)
     } else {
         Cut::best::<16>(items, extent, cost)
     };
@@ -41,7 +41,8 @@ impl Slices {
 
     /// The slice in which the item's centre lies.
     fn of(&self, item: &Item) -> usize {
-        (((item.center2_along(self.axis) - self.min) * self.scale) as usize).min(self.last)
+        let at = (item.center2_along(self.axis) - self.min) * self.scale;
+        (at as u32 as usize).min(self.last) // by 32 bits: a conversion to 64 takes several steps
     }
 }
 
@@ -81,10 +82,7 @@ pub(super) struct Cut {
 impl Cut {
     /// The best cut along any axis, between `BINS` bins.
     pub(super) fn best<const BINS: usize>(items: &[Item], extent: &Extent, cost: &Cost) -> Self {
-        let cuts = [0, 1, 2].map(|axis| Self::best_along::<BINS>(axis, items, extent, cost));
-        let [x, y, z] = cuts;
-        let xy = if y.cost < x.cost { y } else { x };
-        if z.cost < xy.cost { z } else { xy }
+        Self::best_along::<BINS, 3>([0, 1, 2], items, extent, cost)
     }
 
     /// Splits the items at this cut, if that costs less than a leaf; returns how many are on the left.
@@ -99,39 +97,47 @@ impl Cut {
         partition(items, |item| self.slices.of(item) < self.before)
     }
 
-    /// The best cut along an axis.
-    fn best_along<const BINS: usize>(
-        axis: usize,
+    /// The best cut along one of these axes; of equally good ones, the first.
+    fn best_along<const BINS: usize, const AXES: usize>(
+        axes: [usize; AXES],
         items: &[Item],
         extent: &Extent,
         cost: &Cost,
     ) -> Self {
-        let slices = Slices::new(BINS, axis, &extent.centers2);
-        let mut bins = [Bin::EMPTY; BINS];
+        let slices = axes.map(|axis| Slices::new(BINS, axis, &extent.centers2));
+        let mut bins = [[Bin::EMPTY; BINS]; AXES];
+        // Each item once, for all axes: at the root they are far more than the caches hold.
         for item in items {
             let (bounds, count) = (item.bounds, 1);
-            bins[slices.of(item)].add(&Bin { bounds, count });
-        }
-        let mut right = [0.0; BINS];
-        let mut side = Bin::EMPTY;
-        for i in (1..BINS).rev() {
-            side.add(&bins[i]);
-            right[i] = side.cost(cost);
-        }
-        let mut best = (0, f32::INFINITY);
-        side = Bin::EMPTY;
-        for i in 1..BINS {
-            side.add(&bins[i - 1]);
-            let both = side.cost(cost) + right[i];
-            if both < best.1 {
-                best = (i, both);
+            for (slices, bins) in slices.iter().zip(&mut bins) {
+                bins[slices.of(item)].add(&Bin { bounds, count });
             }
         }
-        let (before, cost) = best;
-        Self {
-            slices,
-            before,
-            cost,
+        let mut best = Self {
+            slices: slices[0],
+            before: 0,
+            cost: f32::INFINITY,
+        };
+        for (slices, bins) in slices.into_iter().zip(&bins) {
+            let mut right = [0.0; BINS];
+            let mut side = Bin::EMPTY;
+            for i in (1..BINS).rev() {
+                side.add(&bins[i]);
+                right[i] = side.cost(cost);
+            }
+            side = Bin::EMPTY;
+            for i in 1..BINS {
+                side.add(&bins[i - 1]);
+                let both = side.cost(cost) + right[i];
+                if both < best.cost {
+                    best = Self {
+                        slices,
+                        before: i,
+                        cost: both,
+                    };
+                }
+            }
         }
+        best
     }
 }

@@ -21,31 +21,53 @@ pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, f32) {
     let n = items.len();
     let (mut axis, mut left, mut least) = (0, n / 2, f32::INFINITY);
     let mut right = vec![0.0; n];
-    for along in 0..3 {
-        sort_along(items, along);
+    let orders = [0, 1, 2].map(|along| order_along(items, along));
+    for (along, order) in orders.iter().enumerate() {
+        let bounds = |i: usize| &order[i].of(items).bounds;
         let mut side = Bounds::EMPTY;
         for i in (1..n).rev() {
-            side = side.union(&items[i].bounds);
+            side = side.union(bounds(i));
             right[i] = side.half_area() * cost.shapes(n - i);
         }
         side = Bounds::EMPTY;
         for i in 1..n {
-            side = side.union(&items[i - 1].bounds);
+            side = side.union(bounds(i - 1));
             let both = side.half_area() * cost.shapes(i) + right[i];
             if both < least {
                 (axis, left, least) = (along, i, both);
             }
         }
     }
-    sort_along(items, axis);
+    let ordered: Vec<Item> = orders[axis].iter().map(|key| *key.of(items)).collect();
+    items.copy_from_slice(&ordered);
     (left, least)
 }
 // ANCHOR_END: sah_split
 
-/// Sorts the items by their centres along an axis, and those with equal centres by their numbers.
-fn sort_along(items: &mut [Item], axis: usize) {
-    items.sort_unstable_by(|a, b| {
-        let by_center = a.center2_along(axis).total_cmp(&b.center2_along(axis));
-        by_center.then(a.index.cmp(&b.index))
-    });
+/// An item's rank along an axis, and its place in the list: 16 bytes to sort, and one comparison, where an item is 48 and two.
+///
+/// From the highest bit: the centre, as a number of 32 bits that is ordered as the floats are; the item's own number, so that
+/// items with equal centres have an order; and its place.
+#[derive(Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Key(u128);
+
+impl Key {
+    fn new(at: usize, item: &Item, axis: usize) -> Self {
+        let bits = item.center2_along(axis).to_bits();
+        // Of negative floats the largest bits are the least number: all are turned over. Of others, the sign alone.
+        let turned = bits ^ if bits >> 31 == 1 { u32::MAX } else { 1 << 31 };
+        Self(u128::from(turned) << 64 | u128::from(item.index) << 32 | at as u128)
+    }
+
+    fn of(self, items: &[Item]) -> &Item {
+        &items[self.0 as u32 as usize]
+    }
+}
+
+/// The items by their centres along an axis, and those with equal centres by their numbers.
+fn order_along(items: &[Item], axis: usize) -> Vec<Key> {
+    let keys = items.iter().enumerate();
+    let mut keys: Vec<_> = keys.map(|(at, item)| Key::new(at, item, axis)).collect();
+    keys.sort_unstable();
+    keys
 }

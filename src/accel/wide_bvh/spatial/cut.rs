@@ -34,14 +34,21 @@ struct Slice {
 struct Planes {
     axis: usize,
     min: f32,
+    /// The distance of two planes, in metres, and its reciprocal.
     apart: f32,
+    per_metre: f32,
 }
 
 impl Planes {
     fn new(axis: usize, all: &Bounds) -> Self {
         let (min, max) = (all.min[axis], all.max[axis]);
         let apart = (max - min) / SLICES as f32;
-        Self { axis, min, apart }
+        Self {
+            axis,
+            min,
+            apart,
+            per_metre: apart.recip(),
+        }
     }
 
     /// Where a plane is along the axis.
@@ -49,17 +56,29 @@ impl Planes {
         self.min + i as f32 * self.apart
     }
 
+    /// How many planes are at or below a place along the axis: 0 is below all slices. By 32 bits, for a conversion to 64 takes
+    /// several steps.
+    fn planes_below(&self, at: f32) -> usize {
+        ((at - self.min) * self.per_metre + 1.0) as u32 as usize
+    }
+
     /// The slice in which a place along the axis is.
     fn slice_of(&self, at: f32) -> usize {
-        (((at - self.min) / self.apart) as usize).min(SLICES - 1)
+        (((at - self.min) * self.per_metre) as u32 as usize).min(SLICES - 1)
     }
 
     /// Adds an item to the slices in which it is: to each the box around the part of the triangle there.
     ///
     /// The part between two planes has its corners where the planes cut the edges, and where a corner of the triangle lies between
-    /// them. So each edge is followed from plane to plane once. These boxes are for prices, and may be rounded; those of the
+    /// them. So each edge is followed from plane to plane once; `inside` is room for the boxes of the parts. These boxes are for prices, and may be rounded; those of the
     /// tree are made by [`parts`].
-    fn add(&self, item: &Item, facet: &Facet, slices: &mut [Slice; SLICES]) {
+    fn add(
+        &self,
+        item: &Item,
+        facet: &Facet,
+        slices: &mut [Slice; SLICES],
+        inside: &mut [Bounds; SLICES + 2],
+    ) {
         let ends = [item.bounds.min, item.bounds.max].map(|end| along(end, self.axis));
         let [first, last] = ends.map(|end| self.slice_of(end));
         slices[first].begin += 1;
@@ -68,17 +87,15 @@ impl Planes {
             slices[first].bounds = slices[first].bounds.union(&item.bounds);
             return;
         }
-        // What is below the first slice, the slices, and what is above the last.
-        let mut inside = [Bounds::EMPTY; SLICES + 2];
+        // Below the first slice, in the slices, and above the last.
+        let inside = &mut inside[..last - first + 3];
+        inside.fill(Bounds::EMPTY);
         let mut add = |i: usize, p: Vec3A| {
             inside[i] = inside[i].union(&Bounds { min: p, max: p });
         };
         let corners = facet.corners.map(Vec3A::from);
         let places = corners.map(|p| along(p, self.axis));
-        let lies_in = places.map(|at| {
-            let i = ((at - self.min) / self.apart + 1.0) as usize; // 0 is below all slices
-            i.clamp(first, last + 2) - first
-        });
+        let lies_in = places.map(|at| self.planes_below(at).clamp(first, last + 2) - first);
         for (i, p) in lies_in.into_iter().zip(corners) {
             add(i, p);
         }
@@ -136,8 +153,10 @@ impl Cut {
             end: 0,
         };
         let mut slices = [empty; SLICES];
+        let mut inside = [Bounds::EMPTY; SLICES + 2];
         for item in items {
-            planes.add(item, &facets[item.index as usize], &mut slices);
+            let facet = &facets[item.index as usize];
+            planes.add(item, facet, &mut slices, &mut inside);
         }
         let mut above = [(Bounds::EMPTY, 0); SLICES];
         for i in (1..SLICES).rev() {

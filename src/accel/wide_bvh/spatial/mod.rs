@@ -14,9 +14,9 @@ use crate::threads;
 use cut::Cut;
 use glam::Vec3;
 
-/// Cuts are tried where the boxes of two halves share more than this part of the surface area of the box around both: elsewhere
-/// they gain next to nothing, and take time.
-const OVERLAP: f32 = 0.1;
+/// Cuts are tried where the boxes of two halves share more than this part of the surface area of the root's box (Stich, Friedrich
+/// and Dietrich 2009, their α): few rays meet what is smaller, and there most cuts gain nothing.
+const OVERLAP: f32 = 1e-4;
 
 /// Below this number of items, another thread does not pay.
 const ALONE: usize = 1 << 12;
@@ -49,7 +49,12 @@ pub(super) fn pays(facets: &[Facet]) -> bool {
 /// triangle's part in a box. The leaves hold whole triangles, so it is of no importance by which of the parts one is found.
 pub(super) fn build(facets: &[Facet], cost: &Cost, spare: usize) -> Flat {
     let items = threads::list(facets.len(), |i| Item::new((i, &facets[i].bounds())));
-    let builder = Builder { facets, cost };
+    let most_shared = OVERLAP * Extent::of(&items).bounds.half_area();
+    let builder = Builder {
+        facets,
+        cost,
+        most_shared,
+    };
     let mut order = Vec::with_capacity(items.len());
     let tree = builder.subtree(items, spare, MAX_DEPTH, &mut order);
     Flat::new(&tree, order)
@@ -59,6 +64,8 @@ pub(super) fn build(facets: &[Facet], cost: &Cost, spare: usize) -> Flat {
 struct Builder<'a> {
     facets: &'a [Facet],
     cost: &'a Cost,
+    /// Half the surface area, in square metres, that two halves may share before cuts are tried.
+    most_shared: f32,
 }
 
 impl Builder<'_> {
@@ -110,7 +117,7 @@ impl Builder<'_> {
         let (mut at, price) = fine::best(&mut items, extent, self.cost);
         // Each side may then be as large as all.
         let room = spare > 0 && halvings(n) < levels;
-        if room && shared_area(&items, at) > OVERLAP * extent.bounds.half_area() {
+        if room && shared_area(&items, at) > self.most_shared {
             let cut = Cut::best(&items, &extent.bounds, self.facets, self.cost);
             let better = |cut: &Cut| cut.price < price && (!may_stay || cut.price < stay);
             if let Some(sides) = cut

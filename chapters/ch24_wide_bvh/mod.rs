@@ -36,7 +36,7 @@ pub struct Knobs {
     #[arg(long, value_name = "100..2000000 pieces", default_value_t = 120_000)]
     pieces: u32,
     /// Rays towards the sky from each point that is seen
-    #[arg(long, value_name = "1..256 rays", default_value_t = 6)]
+    #[arg(long, value_name = "1..256 rays", default_value_t = 3)]
     sky_rays: u16,
 }
 
@@ -49,7 +49,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let wide = |mesh: &Mesh| WideBvh::new(mesh.facets());
         return own_mesh::draw(stage, path, wide, "nodes visited");
     }
-    let film = stage.film_of(960, 4, 1.78);
+    let film = stage.film_of(960, 8, 1.78);
     let confetti = Confetti::new(knobs.pieces);
     let tree = WideBvh::new(confetti.mesh.facets());
     let camera = confetti::camera(film.aspect());

@@ -163,9 +163,9 @@ fn across(canvas: &Canvas, lobes: &[Lobe]) -> Drawn {
             .named("angle around the normal from m")
             .labels(7)
             .format(|degrees| format!("{}°", whole(degrees))),
-        Axis::linear(0.0..1.05)
+        Axis::linear(0.0..1.35) // the legend stands above the curves
             .named("fraction of the peak")
-            .labels(6),
+            .marks(&[0.0, 0.2, 0.4, 0.6, 0.8, 1.0]),
     )
     .titled(&format!(
         "turned out of that plane, {RIGHT}° from the normal"

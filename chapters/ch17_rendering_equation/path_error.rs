@@ -36,7 +36,7 @@ pub(super) fn plot(film: &Film) -> Figure {
     });
     figure(960, 600, |canvas| {
         let panels = canvas.split_evenly((2, 2));
-        // The lower charts have room for the legend, which is that of all four.
+        // The legend of the lower charts is that of all four.
         let legends = [None, Some(Corner::LowerLeft)];
         for ((name, curves), (row, legend)) in measured.iter().zip(panels.chunks(2).zip(legends)) {
             panel(
@@ -101,6 +101,7 @@ fn panel(
         (0.8 * least, 1.25 * most)
     };
     let ((left, right), (low, high)) = (ends(axis), ends(2));
+    let low = if legend.is_some() { 0.2 * low } else { low }; // so that the legend stands below the curves
     let costs = Axis::log(left..right)
         .named(unit)
         .marks(&round_numbers(left, right));

@@ -1,6 +1,6 @@
 //! Teapots on a long table in the garden, at dusk, under strings of lamps.
 
-use glam::{Mat3, Vec3, vec3};
+use glam::{Mat3, Vec3, vec2, vec3};
 use raybook::accel::Meshed;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::image::rgb::Rgb;
@@ -11,7 +11,7 @@ use raybook::material::phong::Phong;
 use raybook::material::polished::Polished;
 use raybook::material::texture::Texture;
 use raybook::math::ray::Ray;
-use raybook::scene::noise::{hash, rise};
+use raybook::scene::noise::{self, hash, rise};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
 use raybook::shape::instance::Instance;
@@ -166,6 +166,8 @@ pub fn dusk(ray: &Ray) -> Rgb {
     let sky = Rgb::new(0.58, 0.32, 0.22).lerp(Rgb::new(0.11, 0.16, 0.31), (3.0 * up).min(1.0));
     let hedge = Rgb::new(0.060, 0.085, 0.080).lerp(Rgb::new(0.10, 0.12, 0.10), (-d.y).max(0.0));
     let azimuth = d.x.atan2(-d.z);
-    let top = 0.035 + 0.016 * (9.0 * azimuth).sin() + 0.012 * (23.0 * azimuth + 1.0).sin();
-    hedge.lerp(sky, rise(-0.02, 0.02, d.y - top))
+    let leaves = 0.010 * (noise::layers(vec2(60.0 * azimuth, 60.0 * d.y), 3) - 0.5);
+    let top = 0.035 + 0.016 * (9.0 * azimuth).sin() + 0.012 * (23.0 * azimuth + 1.0).sin() + leaves;
+    // Sharp: what blurs it is the lens.
+    hedge.lerp(sky, rise(-0.001, 0.001, d.y - top))
 }

@@ -109,9 +109,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return Ok(());
     }
     let caption = "Chapter 18's still life in the light of the panorama. On the right, the map is cut off at white, and so is \
-        its sun: there is next to no sunlight, and no shadow.";
+        its sun: there is next to no sunlight, and no shadow. What is behind the still life is a photograph of the scene.";
     let tile = stage.tile(2, 1.5).halved();
-    stage.figure("light", caption, &lit(&tile, &around)?)
+    stage.figure("light", caption, &lit(&tile, EYE, &around, take)?)
 }
 
 /// What a camera sees of a scene.

@@ -2,10 +2,10 @@
 
 use super::all_around::wide;
 use crate::kit::sheet::sheet;
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, vec3};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
-use raybook::image::{Image, mip::MipMap, tone};
+use raybook::image::{Image, rgb::Rgb, tone};
 use raybook::light::environment::Environment;
 use raybook::render::clamped::Clamped;
 use raybook::render::film::Film;
@@ -59,34 +59,36 @@ fn difference(a: &Image, b: &Image) -> Image {
 ///
 /// # Errors
 /// If a caption cannot be drawn.
-pub(super) fn lit(film: &Film, panorama: &Environment) -> Result<Image, Box<dyn Error>> {
-    let map = smooth(panorama.map());
-    let clamped = map.map(tone::clamp);
+pub(super) fn lit(
+    film: &Film,
+    from: Vec3,
+    panorama: &Environment,
+    photograph: impl Fn(&Film, &dyn Camera) -> Image,
+) -> Result<Image, Box<dyn Error>> {
+    let map = panorama.map();
+    // Nearer than in chapter 18, so that more of the panorama is seen.
+    let (eye, to) = (vec3(0.5, 1.2, 4.3), vec3(0.0, 0.66, 0.0));
+    let camera = |eye, to| Pinhole::look_at(eye, to, Vec3::Y, 0.024, film.aspect());
+    let plate = photograph(film, &camera(from, from + to - eye)?);
+    let under =
+        |map: Image, plate| still_life(film, &camera(eye, to)?, Environment::new(map), plate);
+    let cut = |image: &Image| image.map(tone::clamp);
     let tiles = [
-        ("the panorama", photograph(film, Environment::new(map))?),
-        (
-            "cut off at white",
-            photograph(film, Environment::new(clamped))?,
-        ),
+        ("the panorama", under(map.clone(), &plate)?),
+        ("cut off at white", under(cut(map), &cut(&plate))?),
     ];
     sheet(2, &tiles)
 }
 
-/// The map with twice as many texels along each axis, interpolated: the camera sees so small a part of the map that its texels
-/// would be seen as blocks.
-fn smooth(map: &Image) -> Image {
-    let [width, height] = [map.width(), map.height()].map(|n| 2 * n);
-    let map = MipMap::new(map);
-    Image::from_fn(width, height, |x, y| {
-        let place = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
-        map.bilinear(0, vec2(place.x, 1.0 - place.y))
-    })
-}
-
-fn photograph(film: &Film, light: Environment) -> Result<Image, Box<dyn Error>> {
-    // Nearer than in chapter 18, so that more of the panorama is seen.
-    let (from, to) = (vec3(0.5, 1.2, 4.3), vec3(0.0, 0.66, 0.0));
-    let camera = Pinhole::look_at(from, to, Vec3::Y, 0.024, film.aspect())?;
+/// The still life under a light, and behind it the plate: a photograph of the same directions. The camera sees so small a part of
+/// the light's map that a texel is as large as four pixels; the film industry photographs its back plates apart for this reason.
+fn still_life(
+    film: &Film,
+    camera: &Pinhole,
+    light: Environment,
+    plate: &Image,
+) -> Result<Image, Box<dyn Error>> {
+    let behind = film.sample(|place, _| light.radiance(camera.ray(place, Vec2::ZERO).direction));
     let scene = gallery::STILL_LIFE
         .under(Box::new(light), film.width)?
         .scene;
@@ -100,7 +102,21 @@ fn photograph(film: &Film, light: Environment) -> Result<Image, Box<dyn Error>> 
         integrator: path,
         brightest: 8.0,
     };
-    Ok(film.denoised(&film.guides(&camera, &scene), |film| {
-        film.render(&camera, &Sampler::Even, &path, &scene)
+    let lit = film.denoised(&film.guides(camera, &scene), |film| {
+        film.render(camera, &Sampler::Even, &path, &scene)
+    });
+    let open = film.sample(
+        |place, _| match scene.closest(&camera.ray(place, Vec2::ZERO)) {
+            Some(_) => Rgb::BLACK,
+            None => Rgb::WHITE,
+        },
+    );
+    Ok(Image::from_fn(film.width, film.height, |x, y| {
+        let [lit, open, behind, plate] = [&lit, &open, &behind, plate].map(|image| image.at(x, y));
+        if open == Rgb::WHITE {
+            plate
+        } else {
+            lit + open * (plate + behind * -1.0)
+        }
     }))
 }

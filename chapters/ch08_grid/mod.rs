@@ -51,7 +51,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if let Some(path) = &knobs.own.mesh {
         return own_mesh::draw(stage, path, grid_of, "cells visited");
     }
-    let film = stage.film_of(640, 4, 1.6);
+    let film = stage.film_of(640, 8, 1.6);
     let crowd = teapots(350, 4);
     let grid = grid_of(&crowd.mesh);
     let (from, to) = (vec3(8.0, 52.0, 92.0), vec3(0.0, 0.0, 10.0));

@@ -47,7 +47,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
     let stadium = stadium(5);
     let triangles = stadium.mesh.triangles().len();
-    let film = stage.film_of(640, 4, 1.6);
+    let film = stage.film_of(640, 6, 1.6);
     let camera = camera(film.aspect())?;
     let fine = two_levels(&stadium.mesh, density);
     if stage.wants("picture") {

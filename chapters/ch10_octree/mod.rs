@@ -58,7 +58,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
     let mesh = teapot::mesh(24);
     let octree = octree_of(&mesh);
-    let film = stage.film_of(640, 4, 1.6);
+    let film = stage.film_of(640, 8, 1.6);
     // Finer than what pays, so that each level shows all its cells.
     let limits = Limits {
         opening: 0.0,

@@ -68,7 +68,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             _ => own_mesh::draw(stage, path, build, structure.boxes()),
         };
     }
-    let film = stage.film_of(960, 4, 1.78);
+    let film = stage.film_of(960, 8, 1.78);
     if stage.wants("picture") {
         draw_mountains(&film, stage, building)?;
     }

@@ -28,8 +28,8 @@ pub(super) fn plot(film: &Film) -> Figure {
     ];
     let measured = views.map(|(name, view, depth, aspect)| {
         let film = Film {
-            width: (48.0 * aspect) as usize,
-            height: 48,
+            width: (40.0 * aspect) as usize,
+            height: 40,
             ..*film
         };
         (name, measure(&view, &film, depth))

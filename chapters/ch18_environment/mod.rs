@@ -15,6 +15,7 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
+use raybook::image::denoise::Guide;
 use raybook::image::{Image, file, tone};
 use raybook::light::Light;
 use raybook::light::environment::Environment;
@@ -54,14 +55,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             "All light comes from the map {}.",
             Untrusted::from(file.as_path())
         );
-        let picture = denoised(&film, Box::new(Environment::new(map)))?;
+        let picture = denoised(&film, &guides(&film)?, map)?;
         return stage.picture("picture", &caption, &picture);
     }
     let tile = stage.tile(2, 1.6);
     let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
     let [day, sunset, overcast, studio] = &maps;
     if stage.wants("picture") {
-        let under = |map: &Image| denoised(&tile, Box::new(Environment::new(map.clone())));
+        let guides = guides(&tile)?;
+        let under = |map: &Image| denoised(&tile, &guides, map.clone());
         let lit = [
             under(day)?,
             under(sunset)?,
@@ -121,11 +123,16 @@ fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, TextError> {
     Ok(photograph(film, &view))
 }
 
-/// The same picture, denoised by a filter that knows what the camera sees.
-fn denoised(film: &Film, light: Box<dyn Light>) -> Result<Image, TextError> {
-    let view = gallery::STILL_LIFE.under(light, film.width)?;
-    let guides = film.guides(&*view.camera, &view.scene);
-    Ok(film.denoised(&guides, |film| photograph(film, &view)))
+/// What the camera sees, which is the same under every light.
+fn guides(film: &Film) -> Result<Vec<Guide>, TextError> {
+    let view = gallery::STILL_LIFE.shot(film.width)?;
+    Ok(film.guides(&*view.camera, &view.scene))
+}
+
+/// The still life in the light of a map, denoised by a filter that knows what the camera sees.
+fn denoised(film: &Film, guides: &[Guide], map: Image) -> Result<Image, TextError> {
+    let view = gallery::STILL_LIFE.under(Box::new(Environment::new(map)), film.width)?;
+    Ok(film.denoised(guides, |film| photograph(film, &view)))
 }
 
 fn photograph(film: &Film, view: &Shot) -> Image {

@@ -82,7 +82,8 @@ pub fn sunset(d: Dir3) -> Rgb {
 /// Clouds everywhere, three times as bright at the zenith as at the horizon (Moon and Spencer 1942).
 pub fn overcast(d: Dir3) -> Rgb {
     let grey = Rgb::new(0.94, 0.97, 1.0) * (0.55 * (1.0 + 2.0 * d.y.max(0.0)));
-    ground(d, grey * (0.9 + 0.2 * cloud(d)), Rgb::new(0.30, 0.31, 0.30))
+    let clouds = clouds_above(-0.01, -0.005, d); // the ground hides those below
+    ground(d, grey * (0.9 + 0.2 * clouds), Rgb::new(0.30, 0.31, 0.30))
 }
 
 /// A dark room with two softboxes and a strip of light.

@@ -13,6 +13,7 @@ use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
 use raybook_scenes::gallery;
+use raybook_scenes::wrong::TextError;
 use std::error::Error;
 
 /// The directions of the looks, by their names.
@@ -55,7 +56,8 @@ fn difference(a: &Image, b: &Image) -> Image {
     })
 }
 
-/// The still life in the light of the panorama alone: as it is, and with all radiance cut off at white.
+/// The still life in the light of the panorama alone: as it is, and with all radiance cut off at white. Behind it is the plate, a
+/// photograph of the same directions: the camera sees so small a part of the panorama that a texel is as large as four pixels.
 ///
 /// # Errors
 /// If a caption cannot be drawn.
@@ -65,33 +67,17 @@ pub(super) fn lit(
     panorama: &Environment,
     photograph: impl Fn(&Film, &dyn Camera) -> Image,
 ) -> Result<Image, Box<dyn Error>> {
-    let map = panorama.map();
     // Nearer than in chapter 18, so that more of the panorama is seen.
     let (eye, to) = (vec3(0.5, 1.2, 4.3), vec3(0.0, 0.66, 0.0));
-    let camera = |eye, to| Pinhole::look_at(eye, to, Vec3::Y, 0.024, film.aspect());
-    let plate = photograph(film, &camera(from, from + to - eye)?);
-    let under =
-        |map: Image, plate| still_life(film, &camera(eye, to)?, Environment::new(map), plate);
-    let cut = |image: &Image| image.map(tone::clamp);
-    let tiles = [
-        ("the panorama", under(map.clone(), &plate)?),
-        ("cut off at white", under(cut(map), &cut(&plate))?),
-    ];
-    sheet(2, &tiles)
-}
-
-/// The still life under a light, and behind it the plate: a photograph of the same directions. The camera sees so small a part of
-/// the light's map that a texel is as large as four pixels; the film industry photographs its back plates apart for this reason.
-fn still_life(
-    film: &Film,
-    camera: &Pinhole,
-    light: Environment,
-    plate: &Image,
-) -> Result<Image, Box<dyn Error>> {
-    let behind = film.sample(|place, _| light.radiance(camera.ray(place, Vec2::ZERO).direction));
-    let scene = gallery::STILL_LIFE
-        .under(Box::new(light), film.width)?
-        .scene;
+    let at = |eye, to| Pinhole::look_at(eye, to, Vec3::Y, 0.024, film.aspect());
+    let (camera, plate) = (at(eye, to)?, photograph(film, &at(from, from + to - eye)?));
+    let ray = |place| camera.ray(place, Vec2::ZERO);
+    let shapes = gallery::STILL_LIFE.shot(film.width)?.scene;
+    let guides = film.guides(&camera, &shapes);
+    let open = film.sample(|place, _| match shapes.closest(&ray(place)) {
+        Some(_) => Rgb::BLACK,
+        None => Rgb::WHITE,
+    });
     let path = Path {
         depth: 4,
         roulette_after: 2,
@@ -102,21 +88,28 @@ fn still_life(
         integrator: path,
         brightest: 8.0,
     };
-    let lit = film.denoised(&film.guides(camera, &scene), |film| {
-        film.render(camera, &Sampler::Even, &path, &scene)
-    });
-    let open = film.sample(
-        |place, _| match scene.closest(&camera.ray(place, Vec2::ZERO)) {
-            Some(_) => Rgb::BLACK,
-            None => Rgb::WHITE,
-        },
-    );
-    Ok(Image::from_fn(film.width, film.height, |x, y| {
-        let [lit, open, behind, plate] = [&lit, &open, &behind, plate].map(|image| image.at(x, y));
-        if open == Rgb::WHITE {
-            plate
-        } else {
-            lit + open * (plate + behind * -1.0)
-        }
-    }))
+    let tile = |shown: fn(Rgb) -> Rgb| -> Result<Image, TextError> {
+        let light = Environment::new(panorama.map().map(shown));
+        let behind = film.sample(|place, _| light.radiance(ray(place).direction));
+        let scene = gallery::STILL_LIFE
+            .under(Box::new(light), film.width)?
+            .scene;
+        let lit = film.denoised(&guides, |film| {
+            film.render(&camera, &Sampler::Even, &path, &scene)
+        });
+        Ok(Image::from_fn(film.width, film.height, |x, y| {
+            let [lit, open, behind, plate] =
+                [&lit, &open, &behind, &plate].map(|image| image.at(x, y));
+            if open == Rgb::WHITE {
+                shown(plate)
+            } else {
+                lit + open * (shown(plate) + behind * -1.0)
+            }
+        }))
+    };
+    let tiles = [
+        ("the panorama", tile(|radiance| radiance)?),
+        ("cut off at white", tile(tone::clamp)?),
+    ];
+    sheet(2, &tiles)
 }

@@ -63,7 +63,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// Draws the pictures with this sky behind everything: radiance by direction.
 fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync)) -> Drawn {
-    let film = stage.film_of(960, 4, 1.78);
+    let film = stage.film_of(960, 5, 1.78);
     let spin = Mat3::from_rotation_z(knobs.spin.to_radians());
     let (eye, at, up) = (
         vec3(0.0, 1.9, 17.0) * (knobs.distance / 17.0),

@@ -296,6 +296,23 @@ fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
         "what is next is explained: {first}"
     );
 
+    let before = fs::read(folder.join("ch02_hdr.py")).expect("it is there");
+    let (code, alone) = said(&["solve", "expose"]);
+    assert!(
+        code == 0 && alone.contains("def expose(") && !alone.contains("def encode_srgb("),
+        "{alone}"
+    );
+    assert!(
+        alone.contains("ch02_hdr.py is as it was, for it has your tone_map, encode_srgb too"),
+        "{alone}"
+    );
+    assert_eq!(
+        fs::read(folder.join("ch02_hdr.py")).expect("it is there"),
+        before
+    );
+    let taken = fs::read_to_string(folder.join("references-taken.txt"));
+    assert_eq!(taken.expect("it is recorded"), "expose\n");
+
     let (code, solved) = said(&["solve", "ch01", "ch02"]);
     assert!(
         code == 0 && solved.contains("ch02_hdr.py is now the reference; yours is kept in"),

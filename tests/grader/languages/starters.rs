@@ -282,6 +282,21 @@ fn cmake_takes_the_folder_in_cpp() {
     );
 }
 
+#[cfg(unix)]
+#[test]
+fn who_ends_by_a_signal_in_cpp_is_told_how_to_find_the_line() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let folder = new(home.path(), "rays", Language::Cpp);
+    fs::write(folder.join("ends.sh"), "read -r line; kill -SEGV $$\n").expect("it can be written");
+    let toml = "language = \"cpp\"\nrun = \"sh ends.sh\"\n";
+    fs::write(folder.join("raybook.toml"), toml).expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[]);
+    assert!(
+        code == 1 && said.contains("make -j4 debug && raybook check ray_at --case 1 --program build/debug/answer --trust"),
+        "{said}"
+    );
+}
+
 #[test]
 fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
     if !there_is("python3") {
@@ -332,6 +347,13 @@ fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
     assert!(
         code == 0 && nothing.contains("Nothing to explain"),
         "{nothing}"
+    );
+
+    fs::remove_file(folder.join("ch04_plane.py")).expect("it was there");
+    let (code, gone) = said(&["check", "ch04"]);
+    assert!(
+        code == 1 && gone.contains("Next: ch04_plane.py is gone: bring it back"),
+        "{gone}"
     );
 
     let toml = "language = \"perl\"\nrun = \"perl answer.pl\"\n";

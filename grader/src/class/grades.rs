@@ -177,7 +177,7 @@ fn chapter(course: &Course, plan: &Plan, sheet: &Sheet, known: &Known) -> Chapte
 /// Days late, begun ones too; none within the time that costs nothing.
 fn days_late(due: Timestamp, came: Timestamp, late: &Late) -> i64 {
     const DAY: i64 = 86400;
-    let seconds = came.0 - due.0;
+    let seconds = came.seconds - due.seconds;
     if seconds <= late.grace {
         return 0;
     }
@@ -246,7 +246,7 @@ mod tests {
             language: "python".to_owned(),
             taken: taken.iter().map(|&name| name.to_owned()).collect(),
             notes: Vec::new(),
-            handed_in: Some(Timestamp(due.0 + came)),
+            handed_in: Some(Timestamp::utc(due.seconds + came)),
         };
         Grade::of(&course, sheet, &known)
     }
@@ -331,7 +331,7 @@ mod tests {
             (172_800, 2),
         ] {
             assert_eq!(
-                days_late(Timestamp(0), Timestamp(seconds), &late),
+                days_late(Timestamp::utc(0), Timestamp::utc(seconds), &late),
                 days,
                 "{seconds} s"
             );

@@ -3,6 +3,7 @@
 use super::Done;
 use super::asking::Asking;
 use raybook::sample::pattern::Pattern;
+use raybook_chapters::kit::options::seed;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::lab::run;
@@ -55,7 +56,8 @@ pub struct Samplers {
         long,
         value_delimiter = ',',
         default_value = "1",
-        visible_alias = "seed"
+        visible_alias = "seed",
+        value_parser = seed
     )]
     seeds: Vec<u64>,
     /// Fewer realisations, smaller pictures, and errors up to 256 samples: a page in a few seconds

@@ -56,6 +56,11 @@ fn a_named_case_without_an_answer_is_completed_and_asked() {
         "the others stay"
     );
     assert_eq!(bless(home.path(), &["--check"]).0, 0, "now it is complete");
+    let (code, all) = raybook(home.path(), &["bless", "--check"]);
+    assert!(
+        code == 0 && all.lines().count() == 1,
+        "without a name, the files that are there: {all}"
+    );
 
     let golden = home.path().join("golden");
     let golden = golden.to_str().expect("it is text");

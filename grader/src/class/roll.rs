@@ -249,7 +249,7 @@ fn written_of(value: &Value) -> Written {
 fn sheet_to_json(sheet: &Sheet) -> Value {
     json!({
         "student": sheet.student, "print": sheet.print.as_ref().ok(), "refused": sheet.print.as_ref().err(),
-        "language": sheet.language, "taken": sheet.taken, "notes": sheet.notes,
+        "language": sheet.language, "taken": sheet.taken, "tries": sheet.tries, "notes": sheet.notes,
         "handed_in": sheet.handed_in.map(|when| when.to_string()),
     })
 }
@@ -272,6 +272,7 @@ fn roll_of(value: &Value) -> Option<Roll> {
             },
             language: value["language"].as_str()?.to_owned(),
             taken: words(&value["taken"]).into_iter().collect(),
+            tries: words(&value["tries"]).into_iter().collect(),
             notes: words(&value["notes"]),
             handed_in: value["handed_in"]
                 .as_str()

@@ -168,7 +168,9 @@ fn by_cargo() -> Option<&'static str> {
 
 /// Says which folder is made for a file, where there is none: its name may be misspelt.
 fn tell_new_folder(file: &Path) {
-    let folder = file.parent().filter(|folder| !folder.as_os_str().is_empty());
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder.filter(|folder| !folder.exists()) {
         let folder = Untrusted::from(folder);
         complain(format!("note: there is no folder {folder}; it is made"));

@@ -286,7 +286,9 @@ fn cmake_takes_the_folder_in_cpp() {
 #[test]
 fn who_ends_by_a_signal_in_cpp_is_told_how_to_find_the_line() {
     let home = tempfile::tempdir().expect("a temporary folder");
-    let folder = new(home.path(), "rays", Language::Cpp);
+    let (code, said) = raybook_with(home.path(), &["new", "rays", "--language", "C++"], &[]);
+    assert_eq!(code, 0, "{said}");
+    let folder = home.path().join("rays");
     fs::write(folder.join("ends.sh"), "read -r line; kill -SEGV $$\n").expect("it can be written");
     let toml = "language = \"cpp\"\nrun = \"sh ends.sh\"\n";
     fs::write(folder.join("raybook.toml"), toml).expect("it can be written");

@@ -154,7 +154,8 @@ fn plan(table: Fields<'_>, points: f64) -> Result<Plan, TextError> {
         table.text("chapter")?.map(str::to_owned)
     };
     let Some(word) = word else {
-        let what = "which chapter? `chapter = \"ch01\"`, its number or its whole name must stand here";
+        let what =
+            "which chapter? `chapter = \"ch01\"`, its number or its whole name must stand here";
         return Err(table.wrong("chapter", what));
     };
     let chapter = curriculum::called(&word).ok_or_else(|| {

@@ -3,6 +3,7 @@
 
 use crate::examine::{Examiner, RANDOM_CASES, visible_rng};
 use crate::layout::{Part, layout, lists, meanings, parts};
+use raybook_workbook::kind::Kind;
 
 /// What meanings say of numbers, and whether a number is so.
 const STATED: [(&str, fn(f64) -> bool); 2] = [
@@ -64,7 +65,7 @@ impl<'a> Questions<'a> {
         let meanings = meanings(kind);
         let layout = layout(kind, question);
         for leaf in &layout.leaves {
-            let Part { name, .. } = &self.parts[leaf.part];
+            let Part { name, kind, .. } = &self.parts[leaf.part];
             let values = &question[leaf.range()];
             let (unit, infinite) = self.seen[leaf.part];
             let field = name.rsplit('.').next().unwrap_or(name);
@@ -83,7 +84,7 @@ impl<'a> Questions<'a> {
                     }
                 }
             }
-            if unit && !is_unit(values) {
+            if (unit || matches!(kind, Kind::Direction)) && !is_unit(values) {
                 let length = values.iter().map(|v| v * v).sum::<f64>().sqrt();
                 let what = format!("`{name}` has length {length:.4}, and should have length 1");
                 return Err((leaf.start + 1, what));

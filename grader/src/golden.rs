@@ -53,11 +53,19 @@ pub fn named(asked: &Asked, text: &str) -> Result<Vec<Named>, GoldenError> {
 /// # Errors
 /// If a named case cannot be read, or contradicts what the exercise says of its questions.
 pub fn replaced(examiner: &dyn Examiner, text: String) -> Result<Box<dyn Examiner>, GoldenError> {
-    let questions = Questions::of(examiner);
-    named_of(examiner.asked(), &text, &|question| {
-        questions.admit(question)
-    })?;
+    admitted(examiner, &text)?;
     Ok(examiner.with_golden(text))
+}
+
+/// The named cases of a golden file of the exercise, which contradict nothing that it says of its questions.
+///
+/// # Errors
+/// If one cannot be read, or does.
+pub fn admitted(examiner: &dyn Examiner, text: &str) -> Result<Vec<Named>, GoldenError> {
+    let questions = Questions::of(examiner);
+    named_of(examiner.asked(), text, &|question| {
+        questions.admit(question)
+    })
 }
 
 /// Whether a question is admitted; if not, the word that is wrong, from 1, and why.

@@ -38,8 +38,8 @@ const WORDS: [(&str, &[&str]); 4] = [
         ],
     ),
     (
-        "read files of the system",
-        &["/proc/", "/etc/", "/home/", "/root/", "/dev/"],
+        "reach files of the system",
+        &["/proc/", "/etc/", "/home/", "/root/", "/dev/", "/tmp/"],
     ),
 ];
 

@@ -102,7 +102,7 @@ fn students(class: &Class<'_>) -> Markup {
     } }
 }
 
-/// What an instructor may want to look at: a text that reaches for what no exercise needs, and exercises that are right where anybody can look only.
+/// What an instructor may want to look at: days late, a text that reaches for what no exercise needs, and exercises that are right where anybody can look only.
 fn remarks(grade: &Grade) -> Vec<String> {
     let tries: Vec<_> = grade.sheet.tries.iter().map(String::as_str).collect();
     let tries =
@@ -116,7 +116,12 @@ fn remarks(grade: &Grade) -> Vec<String> {
         let names = visible_only.join(", ");
         format!("right on the visible cases only: {names}")
     });
-    tries.into_iter().chain(visible_only).collect()
+    let late = grade.chapters.iter().map(|chapter| chapter.days_late).max();
+    let late = late.filter(|&days| days > 0).map(|days| {
+        let days_late = if days == 1 { "day" } else { "days" };
+        format!("{days} {days_late} late")
+    });
+    late.into_iter().chain(tries).chain(visible_only).collect()
 }
 
 /// A student's name, which leads to the student's page.

@@ -98,7 +98,7 @@ fn what_is_wrong_is_said_with_its_place() {
             "ray_at counts already",
         ),
         (
-            "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = 1",
+            "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = true",
             "4:11",
             "a text in quotes",
         ),

@@ -102,7 +102,8 @@ fn students(class: &Class<'_>) -> Markup {
     } }
 }
 
-/// What an instructor may want to look at: days late, a text that reaches for what no exercise needs, and exercises that are right where anybody can look only.
+/// What an instructor may want to look at: days late, a text that reaches for what no exercise needs, exercises that are right in the
+/// visible cases only.
 fn remarks(grade: &Grade) -> Vec<String> {
     let tries: Vec<_> = grade.sheet.tries.iter().map(String::as_str).collect();
     let tries =

@@ -5,8 +5,11 @@ use crate::examine::{Examiner, RANDOM_CASES, visible_rng};
 use crate::layout::{Part, layout, lists, meanings, parts};
 use raybook_workbook::kind::Kind;
 
-/// What meanings say of numbers, and whether a number is so.
-const STATED: [(&str, fn(f64) -> bool); 2] = [
+/// Whether a number is as a meaning says.
+type IsSo = fn(f64) -> bool;
+
+/// What meanings say of numbers.
+const STATED: [(&str, IsSo); 2] = [
     (", above 0", |v| v > 0.0),
     (", from 0 to 1", |v| (0.0..=1.0).contains(&v)),
 ];

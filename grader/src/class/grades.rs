@@ -213,6 +213,7 @@ mod tests {
     use crate::class::course::{Course, Late};
     use crate::class::record::{Marked, Standing};
     use crate::class::when::Timestamp;
+    use std::collections::BTreeSet;
     use std::path::Path;
 
     const COURSE: &str = "

@@ -309,7 +309,7 @@ fn roll_of(value: &Value) -> Option<Roll> {
 #[cfg(test)]
 mod tests {
     use super::{Written, written_of, written_to_json};
-    use std::collections::{BTreeMap, BTreeSet};
+    use std::collections::BTreeMap;
 
     #[test]
     fn points_that_are_read_again_are_the_same() {

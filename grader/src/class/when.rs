@@ -37,7 +37,7 @@ impl Timestamp {
         })
     }
 
-    /// So many seconds since the beginning of 1970, as a clock in UTC shows it.
+    /// The instant `seconds` after the beginning of 1970, as a clock in UTC shows it.
     pub fn utc(seconds: i64) -> Self {
         Self { seconds, east: 0 }
     }

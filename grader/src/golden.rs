@@ -3,6 +3,7 @@
 //! `golden/<chapter>/<exercise>.txt` has a line per case: `name | question = answer = another that is right too`. A named case
 //! may be written without an answer: the answer is the reference's, the others are the file's.
 
+use crate::contradiction::Questions;
 use crate::examine::{Cases, CasesError, Examiner, visible_rng};
 use raybook_workbook::curriculum;
 use raybook_workbook::exercise::Asked;
@@ -44,13 +45,40 @@ pub struct GoldenError {
 /// # Errors
 /// If a line is not a name and a question of this exercise, with answers to it.
 pub fn named(asked: &Asked, text: &str) -> Result<Vec<Named>, GoldenError> {
+    named_of(asked, text, &|_| Ok(()))
+}
+
+/// The exercise with another golden file.
+///
+/// # Errors
+/// If a named case cannot be read, or contradicts what the exercise says of its questions.
+pub fn replaced(examiner: &dyn Examiner, text: String) -> Result<Box<dyn Examiner>, GoldenError> {
+    admitted(examiner, &text)?;
+    Ok(examiner.with_golden(text))
+}
+
+/// The named cases of a golden file of the exercise, which contradict nothing that it says of its questions.
+///
+/// # Errors
+/// If one cannot be read, or does.
+pub fn admitted(examiner: &dyn Examiner, text: &str) -> Result<Vec<Named>, GoldenError> {
+    let questions = Questions::of(examiner);
+    named_of(examiner.asked(), text, &|question| {
+        questions.admit(question)
+    })
+}
+
+/// Whether a question is admitted; if not, the word that is wrong, from 1, and why.
+type Admit<'a> = &'a dyn Fn(&[f64]) -> Result<(), (usize, String)>;
+
+fn named_of(asked: &Asked, text: &str, admit: Admit<'_>) -> Result<Vec<Named>, GoldenError> {
     let mut named = Vec::new();
     let mut names = BTreeSet::new();
     for (line, number) in text.lines().zip(1..) {
         if line.trim().is_empty() || line.starts_with('#') || is_random(line) {
             continue;
         }
-        let case = case(asked, line).map_err(|(at, what)| GoldenError {
+        let case = case(asked, line, admit).map_err(|(at, what)| GoldenError {
             line: number,
             column: 1 + line[..at].chars().count(),
             what,
@@ -79,7 +107,7 @@ fn is_random(line: &str) -> bool {
 }
 
 /// The case of a line, or the place in the line where it is wrong, and what is wrong.
-fn case(asked: &Asked, line: &str) -> Result<Named, (usize, String)> {
+fn case(asked: &Asked, line: &str, admit: Admit<'_>) -> Result<Named, (usize, String)> {
     let Some((name, rest)) = line.split_once(BAR) else {
         let what =
             "there is no ` | `; a case is written `name | question`, or `name | question = answer`";
@@ -99,11 +127,15 @@ fn case(asked: &Asked, line: &str) -> Result<Named, (usize, String)> {
         places.push((at, part));
         at += part.len() + " = ".len();
     }
-    let (at, question) = places[0];
+    let (at, words) = places[0];
     let names = |names: Vec<String>| names.join(" ");
-    let question = asked.read_question(question).map_err(|e| {
+    let question = asked.read_question(words).map_err(|e| {
         let expected = names(asked.question_names());
-        wrong(at, question, "question", &e, &expected)
+        wrong(at, words, "question", &e, &expected)
+    })?;
+    admit(&question).map_err(|(word, what)| {
+        let what = format!("in the question, {what}");
+        (at + column(words, word), what)
     })?;
     let mut answers = Vec::new();
     for &(at, answer) in &places[1..] {
@@ -122,13 +154,16 @@ fn case(asked: &Asked, line: &str) -> Result<Named, (usize, String)> {
 
 /// What is wrong with a row at a place of a line, and where in the line.
 fn wrong(at: usize, row: &str, what: &str, error: &RowError, expected: &str) -> (usize, String) {
-    let mut words = row.split_whitespace();
-    let word = words.nth(error.place() - 1);
-    let within = word.map_or(row.trim_end().len(), |word| {
-        word.as_ptr() as usize - row.as_ptr() as usize
-    });
     let what = format!("in the {what}, {error}; the words of {what}s are: {expected}");
-    (at + within, what)
+    (at + column(row, error.place()), what)
+}
+
+/// Where a word of a row begins, or the row ends.
+fn column(row: &str, word: usize) -> usize {
+    let word = row.split_whitespace().nth(word - 1);
+    word.map_or(row.trim_end().len(), |word| {
+        word.as_ptr() as usize - row.as_ptr() as usize
+    })
 }
 
 /// An exercise's file below `golden/`.

@@ -1,7 +1,7 @@
 //! The languages for which the course has starters.
 
 /// A language with a starter for all chapters, and a reader for every exercise.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Language {
     /// C++17
     Cpp,
@@ -29,6 +29,17 @@ impl Language {
         Self::ALL
             .into_iter()
             .find(|language| language.name() == name)
+    }
+
+    /// The language that somebody means on the command line: `C++` is `cpp`.
+    ///
+    /// # Errors
+    /// What others can do, if it is another.
+    pub fn named(text: &str) -> Result<Self, String> {
+        let name = text.to_lowercase().replace("c++", "cpp");
+        Self::find(&name).ok_or_else(|| {
+            "python, cpp or rust; in any other language write a program that answers a line per line, as `raybook exercise ray_at` shows, and have it asked by `raybook check --program FILE`".to_owned()
+        })
     }
 
     /// The endings of its source files.

@@ -12,6 +12,7 @@ pub mod class;
 pub mod clock;
 pub mod command_line;
 pub mod contain;
+mod contradiction;
 pub mod converse;
 pub mod describe;
 pub mod diagnose;

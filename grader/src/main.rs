@@ -2,7 +2,7 @@
 
 mod commands;
 
-use clap::{CommandFactory, Parser, Subcommand};
+use clap::{CommandFactory, FromArgMatches, Parser, Subcommand};
 use raybook_chapters::kit::say::{report, said_all};
 use raybook_chapters::tour::Tour;
 use raybook_grader::contain;
@@ -73,7 +73,9 @@ enum Task {
 }
 
 fn main() -> ExitCode {
-    let task = Command::parse().task;
+    let matches = told_of_negatives(Command::command()).get_matches();
+    let task = Command::from_arg_matches(&matches).unwrap_or_else(|error| error.exit());
+    let task = task.task;
     if let Err(error) = contain::obey_signals() {
         report(&error);
         return ExitCode::from(2);
@@ -112,4 +114,13 @@ fn main() -> ExitCode {
             ExitCode::from(2)
         }
     }
+}
+
+/// The same command, where a negative number after an option is its value, so that who writes one is told what the option takes.
+fn told_of_negatives(command: clap::Command) -> clap::Command {
+    let command = command.mut_subcommands(told_of_negatives);
+    command.mut_args(|arg| {
+        let takes_value = arg.get_long().is_some() && arg.get_action().takes_values();
+        arg.allow_negative_numbers(takes_value)
+    })
 }

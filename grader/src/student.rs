@@ -1,7 +1,9 @@
 //! A student's folder, and the answer program that is built from it.
 
+use crate::cases;
 use crate::contain;
 use crate::converse::Program;
+use crate::examine::Examiner;
 use crate::language::Language;
 use crate::recipe::{Commands, Recipe};
 use crate::sandbox::Sandbox;
@@ -49,6 +51,9 @@ pub enum StudentError {
     /// The compiler refused.
     #[error("your program does not compile; the compiler's message is above")]
     DoesNotCompile,
+    /// It does not compile, and a file in which an exercise is written is not there.
+    #[error("your program does not compile: {}", gone(.0))]
+    Gone(String),
     /// Cargo built something else.
     #[error("{}: cargo built no program `{program}` here; is everything in workbook/ still there?", Untrusted::from(folder.as_path()))]
     NoProgram {
@@ -93,6 +98,13 @@ pub fn workbook(from: &Path) -> Result<PathBuf, StudentError> {
 /// # Errors
 /// If `raybook.toml` is wrong, the compiler is missing, or the program does not compile.
 pub fn build(folder: &Path) -> Result<Program, StudentError> {
+    build_it(folder).map_err(|error| match (error, first_gone(folder)) {
+        (StudentError::DoesNotCompile, Some(file)) => StudentError::Gone(file),
+        (error, _) => error,
+    })
+}
+
+fn build_it(folder: &Path) -> Result<Program, StudentError> {
     match Recipe::read(folder)? {
         Recipe::Rust => build_binary(&mut Command::new("cargo"), folder, "answer", &[]),
         Recipe::Commands(commands) => {
@@ -142,6 +154,19 @@ pub fn program(commands: &Commands, folder: &Path) -> Program {
 /// The file in which an exercise is written in this workbook, if its language has a starter.
 pub fn place(folder: &Path, exercise: &str) -> Option<String> {
     starter::place(language(folder)?, exercise)
+}
+
+/// What to do about a file of a workbook that is not there.
+pub fn gone(file: &str) -> String {
+    format!("{file} is gone: bring it back, or copy it from a folder that `raybook new` makes")
+}
+
+/// The first file in which an exercise is written that is not there.
+fn first_gone(folder: &Path) -> Option<String> {
+    let language = language(folder)?;
+    let names = cases::all().into_iter().map(<dyn Examiner>::name);
+    let mut places = names.filter_map(|name| starter::place(language, name));
+    places.find(|file| !folder.join(file).is_file())
 }
 
 /// The language of this workbook, if it has a starter.

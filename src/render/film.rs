@@ -18,6 +18,7 @@ use crate::image::{
     rgb::Rgb,
 };
 use crate::math::pcg::{self, Pcg};
+use crate::memory::gigabytes;
 use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::filter::Filter;
 use crate::sample::pattern::sobol::sobol;
@@ -185,8 +186,23 @@ impl Film<'_> {
     /// The first result of `pixel` for each pixel, row by row; the second result is the number of rays that were followed.
     ///
     /// Pixels that are missing, because [`Film::progress`] ended the work, have the default value.
+    ///
+    /// # Panics
+    /// If there is no memory for as many pixels.
     pub fn each_pixel<T: Clone + Default + Send>(&self, pixel: &Pixel<T>) -> Vec<T> {
-        let all = Mutex::new(vec![T::default(); self.width * self.height]);
+        let count = self.width.saturating_mul(self.height);
+        let mut all = Vec::new();
+        let room = all.try_reserve_exact(count);
+        let bytes = count.saturating_mul(size_of::<T>());
+        assert!(
+            room.is_ok(),
+            "there is no memory for a film of {} × {} pixels: they take {}",
+            self.width,
+            self.height,
+            gigabytes(bytes as u64)
+        );
+        all.resize(count, T::default());
+        let all = Mutex::new(all);
         self.each_row(&|columns, y| {
             let mut done = Vec::with_capacity(TILE);
             let mut part = Done::default();

@@ -56,6 +56,11 @@ fn a_named_case_without_an_answer_is_completed_and_asked() {
         "the others stay"
     );
     assert_eq!(bless(home.path(), &["--check"]).0, 0, "now it is complete");
+    let (code, all) = raybook(home.path(), &["bless", "--check"]);
+    assert!(
+        code == 0 && all.lines().count() == 1,
+        "without a name, the files that are there: {all}"
+    );
 
     let golden = home.path().join("golden");
     let golden = golden.to_str().expect("it is text");
@@ -118,6 +123,21 @@ fn what_is_wrong_is_said_with_its_line_and_column() {
             &[
                 "line 5, column 47",
                 "in the answer, word 1 should be `t`, a number, but is `two`",
+            ],
+        ),
+        (
+            "inside out | 0 0 -3  0 0 1  0 inf  0 0 0  -1",
+            &["line 5, column 43", "`radius` is -1, and should be above 0"],
+        ),
+        (
+            "nowhere | 0 0 -3  0 0 1  0 nan  0 0 0  1",
+            &["line 5, column 28", "`within` is NaN"],
+        ),
+        (
+            "too long | 0 0 -3  0 0 2  0 inf  0 0 0  1",
+            &[
+                "line 5, column 20",
+                "`direction` has length 2.0000, and should have length 1",
             ],
         ),
         ("no bar", &["line 5, column 1", "name | question"]),

@@ -108,6 +108,15 @@ fn what_a_page_becomes_is_the_courses_own() {
         example.contains("<b>0.5</b>"),
         "the golden answer: {example}"
     );
+    for directive in ["example", "turn"] {
+        let fields = expanded(&format!("{{{{{directive} camera_ray}}}}"));
+        for meaning in [
+            "Where the ray starts, in metres.",
+            "Where the ray goes, of length 1.",
+        ] {
+            assert!(fields.contains(meaning), "each field's own: {fields}");
+        }
+    }
     let turn = expanded("{{turn sphere_hit}}");
     for part in [
         r#"<a href="library.html#Interval">Interval</a>) -&gt; Option&lt;<a href="library.html#Hit">Hit</a>&gt; {"#,

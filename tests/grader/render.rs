@@ -59,7 +59,9 @@ fn a_scene_file_becomes_a_picture_and_the_number_of_threads_is_no_matter() {
     ];
     let (code, said) = raybook(folder.path(), &smaller);
     assert!(
-        code == 0 && said.contains("8 × 4 pixels, 1 samples"),
+        code == 0
+            && said.contains("8 × 4 pixels, 1 samples")
+            && said.contains("there is no folder new; it is made"),
         "{code} {said}"
     );
     let small = file::load(&folder.path().join("new/small.png")).expect("a picture");

@@ -53,6 +53,9 @@ fn wrong_usage_is_explained() {
         (&["solve"], "raybook new"),
         (&["bless"], "golden"),
         (&["exercise", "nothing"], "neither a chapter"),
+        (&["new", "rays", "--language", "java"], "check --program"),
+        (&["tour", "--seed", "-1"], "a whole number from 0 to"),
+        (&["samplers", "--points", "-4"], "-4 is not in 1..=4096"),
     ] {
         let (code, said) = raybook(home.path(), arguments);
         assert!(

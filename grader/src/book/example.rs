@@ -16,22 +16,22 @@ pub(super) fn expand(examiner: &dyn Examiner, name: &str) -> Result<String, Stri
             examiner.name()
         )
     })?;
-    let meanings = meanings(examiner.asked().question);
-    let meaning = |name: &str| {
+    let answer = &examiner.asked().answer;
+    let [of_question, of_answer] = [examiner.asked().question, answer.kind].map(meanings);
+    let meaning = |meanings: &[(_, &'static str)], name: &str, other| {
         let found = meanings.iter().find(|(field, _)| *field == name);
-        found.map_or("", |(_, meaning)| *meaning)
+        found.map_or(other, |(_, meaning)| *meaning)
     };
-    let answer = examiner.asked().answer.meaning;
     let asked = examiner.question_parts(&case.question);
     let answered = examiner.answer_parts(&case.answers[0]);
     let table = html! {
         table class="example" {
             caption { "The case “" (case.name) "” of " code { (examiner.name()) } }
             thead { tr { th { "in" } th { "value" } th { "meaning" } } }
-            tbody { @for (name, value) in &asked { tr { td { code { (name) } } td { (short(value)) } td { (meaning(name)) } } } }
+            tbody { @for (name, value) in &asked { tr { td { code { (name) } } td { (short(value)) } td { (meaning(&of_question, name, "")) } } } }
             thead { tr { th { "out" } th { "value" } th { "meaning" } } }
             tbody { @for (i, (name, value)) in answered.iter().enumerate() { tr {
-                td { code { (name) } } td { b { (short(value)) } } td { @if i == 0 { (answer) } }
+                td { code { (name) } } td { b { (short(value)) } } td { (meaning(&of_answer, name, if i == 0 { answer.meaning } else { "" })) }
             } } }
         }
     };

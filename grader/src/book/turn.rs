@@ -12,8 +12,9 @@ use crate::limits::limits;
 use crate::starter::{cpp, place, python};
 use maud::{Markup, html};
 use raybook_workbook::exercise::Asked;
-use raybook_workbook::kind::Field;
+use raybook_workbook::kind::{Field, Kind};
 use std::fmt::Write;
+use std::iter;
 
 /// The task, the signature in tabs, the table of parameters, the commands and the limits.
 ///
@@ -116,8 +117,8 @@ fn pseudocode(asked: &Asked) -> String {
     )
 }
 
-/// A row for each parameter, and one for the answer.
-fn parameters(asked: &Asked) -> String {
+/// A row for each parameter, one for the answer, and one for each of its fields where it has some.
+fn parameters(asked: &'static Asked) -> String {
     let row = |field: &Field| {
         html! { tr { td { code { (field.name) } } td { (words(field.kind)) } td { (coded(field.meaning)) } } }
     };
@@ -126,10 +127,23 @@ fn parameters(asked: &Asked) -> String {
             thead { tr { th { "parameter" } th { "kind" } th { "meaning and unit" } } }
             tbody { @for field in asked.parameters() { (row(field)) } }
             thead { tr { th { "returns" } th { "kind" } th { "meaning and unit" } } }
-            tbody { (row(&asked.answer)) }
+            tbody { @for field in returned(&asked.answer) { (row(field)) } }
         }
     };
     table.into_string()
+}
+
+/// The answer, and its fields.
+fn returned(answer: &'static Field) -> Vec<&'static Field> {
+    let mut kind = answer.kind;
+    while let Kind::Optional(inner) | Kind::List(inner) = kind {
+        kind = inner;
+    }
+    let fields: &[Field] = match kind {
+        Kind::Record(record) => record.fields,
+        _ => &[],
+    };
+    iter::once(answer).chain(fields).collect()
 }
 
 /// A text whose names in back quotes are code.

@@ -3,7 +3,9 @@
 use super::PARTS;
 use crate::ask::{Asker, Said};
 use crate::cases;
+use crate::check::{Mark, judge};
 use crate::converse::{Limits, Program};
+use crate::golden::Named;
 use raybook_workbook::curriculum::{CHAPTERS, Chapter};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::row;
@@ -14,6 +16,8 @@ pub struct Functions<'a> {
     /// Asks the program. Without one, the course answers.
     asker: Option<Asker<'a>>,
     written: Vec<&'static str>,
+    /// Those that are written, and answer a named case wrongly.
+    wrong: Vec<&'static str>,
     /// Those that are written, but gave no answer to the first question, and why.
     silent: Vec<(&'static str, String)>,
     /// How many questions had no answer that can be read.
@@ -21,31 +25,42 @@ pub struct Functions<'a> {
 }
 
 impl<'a> Functions<'a> {
-    /// Those that are written: each is asked once, and answers.
+    /// Those that are written: each is asked its first named case, and answers. Then it is asked the others, for one may be wrong.
     ///
     /// # Errors
     /// If the program cannot be started.
     pub fn of(program: &'a Program, limits: Limits) -> io::Result<Self> {
         let mut asker = Asker::new(program, limits);
-        let (mut written, mut silent) = (Vec::new(), Vec::new());
+        let (mut written, mut wrong, mut silent) = (Vec::new(), Vec::new(), Vec::new());
         for examiner in PARTS.iter().filter_map(|part| cases::find(part.exercise)) {
             let name = examiner.name();
             // A golden file that is broken is told by a check.
             let named = examiner.named().unwrap_or_default();
-            let line = |numbers: &[f64]| row::format(examiner.asked().question, numbers);
-            let question = named.first().map(|case| line(&case.question));
-            let question = question.map(|line| format!("{name} {line}"));
-            for reply in asker.ask(question.as_slice())? {
+            let case = |named: &Named| {
+                let mut case = examiner.case(&named.name, &named.question).ok()?;
+                case.answers.extend(named.also_right.iter().cloned());
+                Some((examiner.line(&named.question), case))
+            };
+            let (lines, cases): (Vec<_>, Vec<_>) = named.iter().filter_map(case).unzip();
+            for reply in asker.ask(&lines[..lines.len().min(1)])? {
                 match (&reply.said, reply.said.why_none()) {
                     (Said::Todo(_), _) => {}
                     (_, None) => written.push(name),
                     (said, Some(why)) => silent.push((name, why + said.help())),
                 }
             }
+            if written.last() == Some(&name) {
+                let replies = asker.ask(&lines)?;
+                let mut both = cases.iter().zip(&replies);
+                if both.any(|(case, reply)| judge(examiner, case, &reply.said) != Mark::Right) {
+                    wrong.push(name);
+                }
+            }
         }
         Ok(Self {
             asker: Some(asker),
             written,
+            wrong,
             silent,
             unanswered: 0,
         })
@@ -58,6 +73,7 @@ impl<'a> Functions<'a> {
         Self {
             asker: None,
             written: exercises.map(|asked| asked.name).collect(),
+            wrong: Vec::new(),
             silent: Vec::new(),
             unanswered: 0,
         }
@@ -66,6 +82,11 @@ impl<'a> Functions<'a> {
     /// Whether an exercise of this name is written.
     pub fn are_there(&self, exercise: &str) -> bool {
         self.written.contains(&exercise)
+    }
+
+    /// Whether an exercise of this name answers a named case wrongly.
+    pub fn is_wrong(&self, exercise: &str) -> bool {
+        self.wrong.contains(&exercise)
     }
 
     /// Why an exercise of this name, which is written, gave no answer.

@@ -20,6 +20,8 @@ pub struct Sheet {
     pub language: String,
     /// The references in it.
     pub taken: BTreeSet<String>,
+    /// What its text reaches for that no exercise needs.
+    pub tries: BTreeSet<String>,
     /// What was left out of it.
     pub notes: Vec<String>,
     /// When it was handed in, if that is known.
@@ -69,6 +71,7 @@ impl Sheet {
     /// The sheet of a hand-in.
     pub fn of(hand_in: &HandIn, handed_in: Option<Timestamp>) -> Self {
         let content = hand_in.content.as_ref();
+        let owned = |names: &BTreeSet<&str>| names.iter().map(|&name| name.to_owned()).collect();
         Self {
             student: hand_in.student.clone(),
             print: content
@@ -77,10 +80,8 @@ impl Sheet {
             language: content
                 .map_or("", |content| content.language.name())
                 .to_owned(),
-            taken: content.map_or_else(
-                |_| BTreeSet::new(),
-                |content| content.taken.iter().map(|&name| name.to_owned()).collect(),
-            ),
+            taken: content.map_or_else(|_| BTreeSet::new(), |content| owned(&content.taken)),
+            tries: content.map_or_else(|_| BTreeSet::new(), |content| owned(&content.tries)),
             notes: hand_in.notes.clone(),
             handed_in,
         }
@@ -177,7 +178,7 @@ fn chapter(course: &Course, plan: &Plan, sheet: &Sheet, known: &Known) -> Chapte
 /// Days late, begun ones too; none within the time that costs nothing.
 fn days_late(due: Timestamp, came: Timestamp, late: &Late) -> i64 {
     const DAY: i64 = 86400;
-    let seconds = came.0 - due.0;
+    let seconds = came.seconds - due.seconds;
     if seconds <= late.grace {
         return 0;
     }
@@ -212,6 +213,7 @@ mod tests {
     use crate::class::course::{Course, Late};
     use crate::class::record::{Marked, Standing};
     use crate::class::when::Timestamp;
+    use std::collections::BTreeSet;
     use std::path::Path;
 
     const COURSE: &str = "
@@ -245,8 +247,9 @@ mod tests {
             print: Ok("print".to_owned()),
             language: "python".to_owned(),
             taken: taken.iter().map(|&name| name.to_owned()).collect(),
+            tries: BTreeSet::new(),
             notes: Vec::new(),
-            handed_in: Some(Timestamp(due.0 + came)),
+            handed_in: Some(Timestamp::utc(due.seconds + came)),
         };
         Grade::of(&course, sheet, &known)
     }
@@ -331,7 +334,7 @@ mod tests {
             (172_800, 2),
         ] {
             assert_eq!(
-                days_late(Timestamp(0), Timestamp(seconds), &late),
+                days_late(Timestamp::utc(0), Timestamp::utc(seconds), &late),
                 days,
                 "{seconds} s"
             );

@@ -4,7 +4,7 @@ use super::course::Course;
 use super::files::{self, Files, FilesError, packed};
 use super::similar::Prints;
 use super::tokens::tokens;
-use super::{similar, taken};
+use super::{reaches, similar, taken};
 use crate::fingerprint;
 use crate::language::Language;
 use crate::starter;
@@ -37,6 +37,8 @@ pub struct Content {
     pub print: String,
     /// The references in it.
     pub taken: BTreeSet<&'static str>,
+    /// What its text reaches for that no exercise needs.
+    pub tries: BTreeSet<&'static str>,
     /// What it is compared with others by.
     pub similar: Prints,
 }
@@ -196,11 +198,14 @@ fn content(language: Language, files: &Files) -> Content {
     };
     let mut all = Vec::new();
     let mut found = BTreeSet::new();
+    let mut tries = BTreeSet::new();
     for (path, bytes) in files {
         if path == taken::FILE {
             found.extend(taken::recorded(&text(bytes)));
         } else if !is_given(path, bytes) {
-            all.extend(tokens(language, &text(bytes)));
+            let text = text(bytes);
+            all.extend(tokens(language, &text));
+            tries.extend(reaches::reaches(&text));
         }
     }
     found.extend(taken::found(language, &all));
@@ -208,6 +213,7 @@ fn content(language: Language, files: &Files) -> Content {
         language,
         print: fingerprint(language, files),
         taken: found,
+        tries,
         similar: similar::prints(language, &all),
     }
 }

@@ -8,8 +8,9 @@
 
 use crate::fingerprint::hex;
 use raybook::store::StoreError;
-use serde_json::Value;
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
+use std::collections::BTreeSet;
 use std::fs::{File, OpenOptions};
 use std::io::{self, BufRead, BufReader, ErrorKind, Read, Write};
 use std::path::{Path, PathBuf};
@@ -36,6 +37,20 @@ pub struct Told {
     pub damaged: usize,
 }
 
+/// The field of a record that names the key of the results after it.
+const KEY: &str = "key";
+
+impl Told {
+    /// The fingerprints of the course keys with which its results were made.
+    pub fn keys(&self) -> BTreeSet<String> {
+        let keys = self
+            .records
+            .iter()
+            .filter_map(|record| record[KEY].as_str());
+        keys.map(str::to_owned).collect()
+    }
+}
+
 impl Journal {
     /// Opens the journal of a folder, which is made if there is none, to add to it.
     ///
@@ -51,6 +66,14 @@ impl Journal {
         };
         let file = open().map_err(StoreError::of(&path, "write this journal"))?;
         Ok(Self { file, path })
+    }
+
+    /// Adds with which course key the results after it are made, by the key's fingerprint.
+    ///
+    /// # Errors
+    /// As [`add`](Self::add).
+    pub fn add_key(&mut self, key: &str) -> Result<(), StoreError> {
+        self.add(&json!({ KEY: key }))
     }
 
     /// Adds a record.

@@ -13,6 +13,7 @@ pub mod journal;
 pub mod pack;
 pub mod prebuilt;
 mod programs;
+pub mod reaches;
 pub mod record;
 pub mod roll;
 pub mod run;

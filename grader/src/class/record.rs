@@ -49,9 +49,9 @@ pub struct Marked {
     pub wrong: Vec<String>,
     /// The mistake that explains them: what it does, and a hint.
     pub mistake: Option<[String; 2]>,
-    /// Words to the student: the first wrong visible case, or why there is nothing to ask. It tells nothing of hidden cases.
+    /// Words to the student: a wrong visible case, or why there is nothing to ask. It tells nothing of hidden cases.
     pub why: String,
-    /// The first wrong visible case that has an answer, to be drawn: its question and the answer.
+    /// The wrong visible case that is told, if it has an answer, to be drawn: its question and the answer.
     pub shown: Option<[String; 2]>,
     /// The first wrong picture of the answers: its text, and a PNG in base 64.
     pub picture: Option<[String; 2]>,
@@ -113,7 +113,15 @@ impl Marked {
                 .iter()
                 .filter(|outcome| outcome.case.number <= named)
         };
-        let first = visible().find_map(|outcome| match &outcome.verdict {
+        // The case that is shown is one of the mistake that is named, if a visible one is.
+        let first = visible().find(|outcome| matches!(outcome.verdict, Mark::Wrong(_)));
+        let explained = report.diagnosis.as_ref().and_then(|found| found.shown);
+        let explained = explained.and_then(|place| report.cases.get(place));
+        let explained = explained.filter(|outcome| {
+            outcome.case.number <= named && matches!(outcome.verdict, Mark::Wrong(_))
+        });
+        let told = explained.or(first);
+        let first = told.and_then(|outcome| match &outcome.verdict {
             Mark::Wrong(why) if outcome.ended() => {
                 let last_words = outcome.reply.printed.stderr.unescaped();
                 Some(format!("{}: {why}\n{last_words}", outcome.case.name))
@@ -122,7 +130,7 @@ impl Marked {
             _ => None,
         });
         let state = report.state();
-        let why = match (&state, first, report.first_failed()) {
+        let mut why = match (&state, first, report.first_failed()) {
             (State::WaitsFor(name), ..) => format!("it calls {name}, which is not written"),
             (State::Wrong, Some(why), _) => why,
             (State::Wrong, None, Some(_)) if report.right() == report.cases.len() => {
@@ -133,9 +141,16 @@ impl Marked {
             }
             _ => String::new(),
         };
+        let elsewhere = report
+            .diagnosis
+            .as_ref()
+            .is_some_and(|found| found.shown.is_some());
+        if elsewhere && explained.is_none() && told.is_some() && !why.is_empty() {
+            why += "\nWhat follows shows in other answers, and not in this one.";
+        }
         let wrong = report.cases.iter().filter(|outcome| !is_right(outcome));
-        let shown = visible().find_map(|outcome| match (&outcome.verdict, &outcome.reply.said) {
-            (Mark::Wrong(_), Said::Answer(answer)) => {
+        let shown = told.and_then(|outcome| match &outcome.reply.said {
+            Said::Answer(answer) => {
                 Some([outcome.case.question.clone(), answer.unescaped().to_owned()])
             }
             _ => None,

@@ -9,7 +9,7 @@ use crate::lock::Lock;
 use raybook::store::{self, StoreError};
 use raybook_chapters::kit::untrusted::Untrusted;
 use serde_json::{Map, Value, json};
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io::ErrorKind;
 use std::path::Path;
 
@@ -142,19 +142,21 @@ impl<'a> Results<'a> {
         roll_of(&value).ok_or_else(damaged)
     }
 
-    /// Refuses the folder to another course key than its roll was made with: with it everything would be graded again.
+    /// Refuses the folder to another course key than its results were made with: with it everything would be graded again. `keys` are those
+    /// of the journal, which has results before there is a roll.
     ///
     /// # Errors
     /// If it is another.
-    pub fn only_for(&self, key: &str) -> Result<(), String> {
-        match self.roll() {
-            Ok(roll) if roll.key != key => Err(format!(
+    pub fn only_for(&self, key: &str, keys: &BTreeSet<String>) -> Result<(), String> {
+        // Where there is no roll that can be read, one is made anew.
+        let of_roll = self.roll().ok().map(|roll| roll.key);
+        match of_roll.iter().chain(keys).find(|other| *other != key) {
+            Some(other) => Err(format!(
                 "{}: these results were made with another course key (its fingerprint is {}, that of this key is {key}). Grade with that key, or into another folder (--out); remove this folder to grade everything again",
                 Untrusted::from(self.folder),
-                Untrusted::from(roll.key.as_str())
+                Untrusted::from(other.as_str())
             )),
-            // Where there is no roll that can be read, one is made anew.
-            _ => Ok(()),
+            None => Ok(()),
         }
     }
 
@@ -247,7 +249,7 @@ fn written_of(value: &Value) -> Written {
 fn sheet_to_json(sheet: &Sheet) -> Value {
     json!({
         "student": sheet.student, "print": sheet.print.as_ref().ok(), "refused": sheet.print.as_ref().err(),
-        "language": sheet.language, "taken": sheet.taken, "notes": sheet.notes,
+        "language": sheet.language, "taken": sheet.taken, "tries": sheet.tries, "notes": sheet.notes,
         "handed_in": sheet.handed_in.map(|when| when.to_string()),
     })
 }
@@ -270,6 +272,7 @@ fn roll_of(value: &Value) -> Option<Roll> {
             },
             language: value["language"].as_str()?.to_owned(),
             taken: words(&value["taken"]).into_iter().collect(),
+            tries: words(&value["tries"]).into_iter().collect(),
             notes: words(&value["notes"]),
             handed_in: value["handed_in"]
                 .as_str()

@@ -5,9 +5,14 @@ use std::str::FromStr;
 use std::time::{SystemTime, UNIX_EPOCH};
 use toml::value::{Datetime, Offset};
 
-/// An instant: seconds since the beginning of 1970 in UTC.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Timestamp(pub i64);
+/// An instant, as a clock of some offset from UTC shows it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Timestamp {
+    /// Seconds since the beginning of 1970 in UTC.
+    pub seconds: i64,
+    /// Minutes by which the clock is ahead of UTC.
+    east: i16,
+}
 
 const DAY: i64 = 86400;
 
@@ -17,7 +22,7 @@ impl Timestamp {
         let (date, time, offset) = (when.date?, when.time?, when.offset?);
         let east = match offset {
             Offset::Z => 0,
-            Offset::Custom { minutes } => i64::from(minutes) * 60,
+            Offset::Custom { minutes } => minutes,
         };
         let days = days(
             i64::from(date.year),
@@ -25,17 +30,26 @@ impl Timestamp {
             i64::from(date.day),
         );
         let [hour, minute, second] = [time.hour, time.minute, time.second].map(i64::from);
-        Some(Self(days * DAY + hour * 3600 + minute * 60 + second - east))
+        let shown = days * DAY + hour * 3600 + minute * 60 + second;
+        Some(Self {
+            seconds: shown - 60 * i64::from(east),
+            east,
+        })
+    }
+
+    /// The instant `seconds` after the beginning of 1970, as a clock in UTC shows it.
+    pub fn utc(seconds: i64) -> Self {
+        Self { seconds, east: 0 }
     }
 
     /// Now.
     pub fn now() -> Self {
         let since = SystemTime::now().duration_since(UNIX_EPOCH);
-        Self(since.map_or(0, |since| since.as_secs() as i64))
+        Self::utc(since.map_or(0, |since| since.as_secs() as i64))
     }
 }
 
-/// As RFC 3339 writes it: `2026-11-30T22:59:00Z`.
+/// As RFC 3339 writes it: `2026-11-30T23:59:00+01:00`.
 impl FromStr for Timestamp {
     type Err = &'static str;
 
@@ -49,13 +63,19 @@ impl FromStr for Timestamp {
 
 impl Display for Timestamp {
     fn fmt(&self, f: &mut Formatter<'_>) -> fmt::Result {
-        let (year, month, day) = date(self.0.div_euclid(DAY));
-        let rest = self.0.rem_euclid(DAY);
+        let shown = self.seconds + 60 * i64::from(self.east);
+        let (year, month, day) = date(shown.div_euclid(DAY));
+        let rest = shown.rem_euclid(DAY);
         let (hour, minute, second) = (rest / 3600, rest / 60 % 60, rest % 60);
         write!(
             f,
-            "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}Z"
-        )
+            "{year:04}-{month:02}-{day:02}T{hour:02}:{minute:02}:{second:02}"
+        )?;
+        let (sign, east) = (if self.east < 0 { '-' } else { '+' }, self.east.abs());
+        match east {
+            0 => f.write_str("Z"),
+            _ => write!(f, "{sign}{:02}:{:02}", east / 60, east % 60),
+        }
     }
 }
 
@@ -90,17 +110,17 @@ mod tests {
 
     #[test]
     fn instants_are_read_and_written() {
-        for (text, seconds, utc) in [
+        for (text, seconds, shown) in [
             ("1970-01-01T00:00:00Z", 0, "1970-01-01T00:00:00Z"),
             (
                 "2000-02-29T12:00:00+01:00",
                 951_822_000,
-                "2000-02-29T11:00:00Z",
+                "2000-02-29T12:00:00+01:00",
             ),
             (
                 "2026-11-30T23:59:00-05:30",
                 1_796_102_940,
-                "2026-12-01T05:29:00Z",
+                "2026-11-30T23:59:00-05:30",
             ),
             (
                 "2100-03-01 00:00:00Z",
@@ -109,8 +129,8 @@ mod tests {
             ),
         ] {
             let instant: Timestamp = text.parse().expect(text);
-            assert_eq!(instant, Timestamp(seconds), "{text}");
-            assert_eq!(instant.to_string(), utc, "{text}");
+            assert_eq!(instant.seconds, seconds, "{text}");
+            assert_eq!(instant.to_string(), shown, "{text}");
         }
         for wrong in [
             "2026-11-30",

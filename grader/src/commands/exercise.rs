@@ -22,8 +22,8 @@ pub struct Exercise {
     /// Print JSON (its fields are described in `raybook_grader::describe`)
     #[arg(long, conflicts_with = "reader")]
     json: bool,
-    /// Print a program in this language that reads the questions of one exercise and writes its answers
-    #[arg(long, value_name = "LANGUAGE")]
+    /// Print a program in this language, python or cpp, that reads the questions of one exercise and writes its answers
+    #[arg(long, value_name = "LANGUAGE", value_parser = Language::named)]
     reader: Option<Language>,
 }
 

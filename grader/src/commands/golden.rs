@@ -3,7 +3,7 @@
 use super::Examiners;
 use raybook::store;
 use raybook_chapters::kit::untrusted::Untrusted;
-use raybook_grader::golden::path;
+use raybook_grader::golden::{path, replaced};
 use std::error::Error;
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
@@ -30,17 +30,16 @@ impl Golden {
         let Some(folder) = &self.golden else {
             return Ok(examiners);
         };
-        let mut replaced = 0;
+        let mut found = 0;
         let mut replace = |examiner: &mut &'static dyn raybook_grader::examine::Examiner| {
             let file = folder.join(path(examiner.name()));
             match store::read_text(&file) {
                 Ok(text) => {
-                    let read = examiner.with_golden(text);
-                    read.named()
+                    let read = replaced(*examiner, text)
                         .map_err(|error| format!("{}: {error}", Untrusted::from(file.as_path())))?;
                     // Once for each exercise: the command ends soon.
                     *examiner = Box::leak(read);
-                    replaced += 1;
+                    found += 1;
                     Ok(())
                 }
                 Err(error) if error.reason.kind() == ErrorKind::NotFound => Ok(()),
@@ -49,7 +48,7 @@ impl Golden {
         };
         let mut examiners = examiners;
         examiners.iter_mut().try_for_each(&mut replace)?;
-        if replaced == 0 {
+        if found == 0 {
             let first = examiners
                 .first()
                 .map_or_else(String::new, |e| path(e.name()));

@@ -1,6 +1,6 @@
 //! `raybook` alone: the map of the course, in a workbook with the states of all exercises, and the next step.
 
-use super::{Done, next};
+use super::{Done, by_cargo, next};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::lesson::{self, Lesson};
 use raybook_grader::progress::Progress;
@@ -31,11 +31,7 @@ pub fn print(from: &Path) -> Done {
     if let Some((folder, progress)) = workbook.zip(progress) {
         say(format!("\n{}", next::in_course(&folder, &progress)));
     } else {
-        // Cargo tells what it runs where it is: who has only the command types its name.
-        let run = match std::env::var_os("CARGO") {
-            Some(_) => "cargo run --release --",
-            None => "raybook",
-        };
+        let run = by_cargo().unwrap_or("raybook");
         say(format!("\nNext: see every chapter's pictures   {run} tour"));
         say(format!(
             "      draw one chapter's pictures    {run} tour --only {}",

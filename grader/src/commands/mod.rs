@@ -35,6 +35,7 @@ pub mod tell;
 pub mod unwritten;
 pub mod watch;
 
+use raybook_chapters::kit::say::complain;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::cases;
 use raybook_grader::examine::Examiner;
@@ -157,6 +158,22 @@ fn unknown(word: &str) -> String {
         None => format!(
             "`{shown}` is neither a chapter, nor an exercise, nor a folder; `raybook exercise` lists them all"
         ),
+    }
+}
+
+/// How this command was called, if cargo runs it: who does so may have no `raybook` to call by its name.
+fn by_cargo() -> Option<&'static str> {
+    std::env::var_os("CARGO").map(|_| "cargo run --release --")
+}
+
+/// Says which folder is made for a file, where there is none: its name may be misspelt.
+fn tell_new_folder(file: &Path) {
+    let folder = file
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    if let Some(folder) = folder.filter(|folder| !folder.exists()) {
+        let folder = Untrusted::from(folder);
+        complain(format!("note: there is no folder {folder}; it is made"));
     }
 }
 

@@ -1,6 +1,6 @@
 //! `raybook new`: a student's folder.
 
-use super::Done;
+use super::{Done, by_cargo};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::language::Language;
@@ -12,8 +12,8 @@ use std::path::PathBuf;
 pub struct New {
     /// The folder to make
     folder: PathBuf,
-    /// The language in which you write
-    #[arg(long, default_value = "rust")]
+    /// The language in which you write: python, cpp or rust
+    #[arg(long, default_value = "rust", value_parser = Language::named)]
     language: Language,
 }
 
@@ -33,10 +33,13 @@ impl New {
             Language::Cpp => "        (the first time, this compiles for half a minute)",
             Language::Python => "",
         };
-        say(format!(
-            "\nNext:  cd {}\n       raybook check{compiles}",
-            folder.shell()
-        ));
+        let folder = folder.shell();
+        say(match by_cargo() {
+            Some(run) => format!(
+                "\nNext:  {run} check {folder}{compiles}\n       or, once for all: cargo install --path grader; then cd {folder} and raybook check"
+            ),
+            None => format!("\nNext:  cd {folder}\n       raybook check{compiles}"),
+        });
         Ok(true)
     }
 }

@@ -11,6 +11,12 @@ pub fn step(folder: Option<&Path>, exercise: &str, state: Option<&State>) -> Str
         let place = folder.and_then(|folder| student::place(folder, name));
         place.map_or_else(|| name.to_owned(), |file| format!("{name} in {file}"))
     };
+    let gone = folder
+        .and_then(|folder| Some((folder, student::place(folder, exercise)?)))
+        .filter(|(folder, file)| !folder.join(file).is_file());
+    if let Some((_, file)) = gone {
+        return format!("Next: {}.", student::gone(&file));
+    }
     let this = placed(exercise);
     let what = match state {
         Some(State::Wrong) => format!("mend {this}"),

@@ -51,6 +51,7 @@ impl Picture {
         for part in &PARTS {
             let silent = functions.why_silent(part.exercise);
             let state = match (functions.are_there(part.exercise), silent) {
+                (true, _) if functions.is_wrong(part.exercise) => "wrong  ",
                 (true, _) => "written",
                 (_, Some(_)) => "failing",
                 _ => "not yet",
@@ -61,6 +62,17 @@ impl Picture {
             complain(format!(
                 "note: {} questions had no answer that can be read; `raybook check` says why",
                 functions.unanswered
+            ));
+        }
+        let wrong: Vec<_> = PARTS
+            .iter()
+            .map(|part| part.exercise)
+            .filter(|name| functions.is_wrong(name))
+            .collect();
+        if !wrong.is_empty() {
+            complain(format!(
+                "note: pixels are wrong where these functions are asked: `raybook check {}` says why",
+                wrong.join(" ")
             ));
         }
         let next = PARTS

@@ -1,7 +1,7 @@
 //! `raybook report`: a student's work on one page.
 
 use super::asking::Asking;
-use super::{Done, Target};
+use super::{Done, Target, tell_new_folder};
 use indicatif::ProgressBar;
 use raybook::store;
 use raybook_chapters::kit::say::say;
@@ -65,6 +65,9 @@ impl Report {
             progress: progress.as_ref(),
             error: None,
         };
+        if self.out.is_some() {
+            tell_new_folder(&out);
+        }
         store::write(&out, page.html().as_bytes())?;
         say(format!("Your report: {}", Untrusted::from(out.as_path())));
         let is_right = |report: &check::Report| report.state() == State::Right;

@@ -3,6 +3,7 @@
 use super::Done;
 use super::asking::Asking;
 use raybook::sample::pattern::Pattern;
+use raybook_chapters::kit::options::seed;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_chapters::lab::run;
@@ -11,11 +12,11 @@ use raybook_chapters::lab::slide;
 use raybook_chapters::lab::steps::Steps;
 use raybook_chapters::lab::subject::{Subject, known};
 use raybook_grader::converse::Program;
-use raybook_grader::library;
 use raybook_grader::patterns::ask::ask;
 use raybook_grader::patterns::file;
 use raybook_grader::patterns::got::{Got, Wanted};
 use raybook_grader::patterns::{OWN_PATTERNS, OwnPattern};
+use raybook_grader::student;
 use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
@@ -55,7 +56,8 @@ pub struct Samplers {
         long,
         value_delimiter = ',',
         default_value = "1",
-        visible_alias = "seed"
+        visible_alias = "seed",
+        value_parser = seed
     )]
     seeds: Vec<u64>,
     /// Fewer realisations, smaller pictures, and errors up to 256 samples: a page in a few seconds
@@ -204,7 +206,11 @@ impl Samplers {
             steps.begin(format!("asking for {}", own.exercise));
             let got = ask(program, own, &wanted, self.asking.limits())?;
             right &= got.wrong.is_none();
-            settings.remarks.extend(self.remarks(&pattern, own, &got));
+            let folder = student::workbook(&program.folder).ok();
+            let place = folder.and_then(|folder| student::place(&folder, own.exercise));
+            settings
+                .remarks
+                .extend(self.remarks(&pattern, own, &got, place));
             if !got.points.is_empty() {
                 subjects.push(Subject::own(&pattern, got.points));
             }
@@ -219,8 +225,14 @@ impl Samplers {
         Ok(right)
     }
 
-    /// What there is to say of a program's pattern.
-    fn remarks(&self, pattern: &Pattern, own: &OwnPattern, got: &Got) -> Vec<String> {
+    /// What there is to say of a program's pattern, which is written in the file `place` if the program is a workbook's.
+    fn remarks(
+        &self,
+        pattern: &Pattern,
+        own: &OwnPattern,
+        got: &Got,
+        place: Option<String>,
+    ) -> Vec<String> {
         let my = format!("my {}", pattern.title);
         let wrong = got.wrong.as_ref().map(|why| {
             let shown = if got.points.is_empty() {
@@ -229,8 +241,8 @@ impl Samplers {
                 "its curves end before"
             };
             let exercise = own.exercise;
-            let place = library::place(exercise).unwrap_or_default();
-            format!("{my}: {why}; {shown}. In a Rust workbook it is in {place}; `raybook exercise {exercise}` says what it is asked, and `raybook check {exercise}{}` what is wrong.", self.asking.again())
+            let place = place.map_or_else(String::new, |file| format!("It is written in {file}; "));
+            format!("{my}: {why}; {shown}. {place}`raybook exercise {exercise}` says what it is asked, and `raybook check {exercise}{}` what is wrong.", self.asking.again())
         });
         let more = got.remarks.iter().map(|remark| format!("{my}: {remark}."));
         wrong.into_iter().chain(more).collect()

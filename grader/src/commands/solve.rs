@@ -11,28 +11,28 @@ use raybook_grader::language::Language;
 use raybook_grader::lock::Lock;
 use raybook_grader::progress::{KEPT, unused};
 use raybook_grader::recipe::Recipe;
-use raybook_grader::starter::{place, reference_file};
+use raybook_grader::starter::{place, reference_alone, reference_file};
 use raybook_grader::{cases, student};
 use std::collections::BTreeSet;
 use std::error::Error;
 use std::io::ErrorKind;
 use std::path::Path;
 
-/// Copies in the reference; what was there is kept.
+/// Gives the reference: of a chapter its file, where what was there is kept; of an exercise its function, to be read.
 #[derive(clap::Args)]
 pub struct Solve {
-    /// The chapter (3, ch03, sphere), and the student's folder if it is not the present one
+    /// The chapter (3, ch03, sphere) or exercise (sphere_hit), and the student's folder if it is not the present one
     #[command(flatten)]
     target: Target,
 }
 
 impl Solve {
-    /// Replaces the files in which the exercises are written.
+    /// Replaces the files whose exercises are all asked for; of other files, shows the references that are asked for.
     pub fn run(&self) -> Done {
         let (from, examiners) = self.target.resolve()?;
         let folder = student::workbook(&from)?;
         if self.target.what.is_empty() {
-            return Err("which chapter? For example: raybook solve ch03".into());
+            return Err("which chapter or exercise? For example: raybook solve ch03".into());
         }
         let recipe = Recipe::read(&folder)?;
         let language = Language::find(recipe.language()).ok_or_else(|| {
@@ -41,11 +41,20 @@ impl Solve {
                 Untrusted::from(recipe.language())
             )
         })?;
-        let names = || examiners.iter().map(|examiner| examiner.name());
-        let places: BTreeSet<_> = names().filter_map(|name| place(language, name)).collect();
+        let names: Vec<_> = examiners.iter().map(|examiner| examiner.name()).collect();
+        let places = names.iter().filter_map(|name| place(language, name));
+        let places: BTreeSet<_> = places.collect();
         ask_the_course(&folder)?;
         let _lock = Lock::on(&folder.join(KEPT))?;
         for file in places {
+            let (asked, others): (Vec<_>, Vec<_>) = written_in(language, &file)
+                .into_iter()
+                .partition(|name| names.contains(name));
+            if !others.is_empty() {
+                record(&folder, &asked)?;
+                show(language, &file, &asked, &others);
+                continue;
+            }
             let reference = reference_file(language, &file)
                 .ok_or_else(|| format!("{file} has no reference"))?;
             let path = folder.join(&file);
@@ -67,7 +76,7 @@ impl Solve {
                 }
                 Err(_) => say(format!("{file} is now the reference")),
             }
-            record(&folder, language, &file)?;
+            record(&folder, &asked)?;
             store::write(&path, reference.as_bytes())?;
         }
         Ok(true)
@@ -87,17 +96,35 @@ fn ask_the_course(workbook: &Path) -> Result<(), Box<dyn Error>> {
     Err(format!("{file}: this course gives no references out; `raybook hint` gives a nudge").into())
 }
 
-/// Records that the references in a file are taken. The record is handed in with the workbook.
-fn record(workbook: &Path, language: Language, file: &str) -> Result<(), Box<dyn Error>> {
+/// The exercises that are written in a file.
+fn written_in(language: Language, file: &str) -> Vec<&'static str> {
+    let names = cases::all().into_iter().map(<dyn Examiner>::name);
+    names
+        .filter(|name| place(language, name).as_deref() == Some(file))
+        .collect()
+}
+
+/// Shows the references of some exercises of a file: to put them there would replace what the student wrote for the others.
+fn show(language: Language, file: &str, asked: &[&str], others: &[&str]) {
+    for name in asked {
+        if let Some(text) = reference_alone(language, name) {
+            say(text.trim_end());
+        }
+    }
+    say(format!(
+        "\nThis is the reference of {}: copy from it what you need. {file} is as it was, for it has your {} too.",
+        asked.join(", "),
+        others.join(", ")
+    ));
+}
+
+/// Records that references are taken. The record is handed in with the workbook.
+fn record(workbook: &Path, names: &[&str]) -> Result<(), Box<dyn Error>> {
     let path = workbook.join(taken::FILE);
     let text = match store::read_text(&path) {
         Err(error) if error.reason.kind() == ErrorKind::NotFound => String::new(),
         read => read?,
     };
-    let names = cases::all().into_iter().map(<dyn Examiner>::name);
-    let names: Vec<_> = names
-        .filter(|name| place(language, name).as_deref() == Some(file))
-        .collect();
-    store::write(&path, taken::record(&text, &names).as_bytes())?;
+    store::write(&path, taken::record(&text, names).as_bytes())?;
     Ok(())
 }

@@ -55,6 +55,9 @@ impl Telling<'_> {
                 "\n{}",
                 feedback::explain(report, examiner, picture.as_deref(), commands, self.dress)
             ));
+            if let Some(line) = self.debugger(report) {
+                say(line);
+            }
         } else if !whole {
             for (report, examiner) in reports
                 .iter()
@@ -80,6 +83,20 @@ impl Telling<'_> {
                 self.next_step(reports)
             ));
         }
+    }
+
+    /// How to find the line at which a program in C++ ended, which without more it does not tell.
+    fn debugger(&self, report: &Report) -> Option<String> {
+        let folder = self.folder?;
+        let (outcome, _) = report.shown_wrong()?;
+        let can =
+            student::language(folder) == Some(Language::Cpp) && folder.join("Makefile").is_file();
+        (can && outcome.ended()).then(|| {
+            format!(
+                "  In which line it ended: make -j4 debug && raybook check {} --case {} --program build/debug/answer --trust\n",
+                report.exercise, outcome.case.number
+            )
+        })
     }
 
     fn tell_chapter(&self, chapter: &Chapter, reports: &[Pictured], unwritten: &mut Unwritten) {

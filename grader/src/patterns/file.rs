@@ -3,6 +3,7 @@
 use glam::{Vec2, vec2};
 use raybook::store;
 use raybook_chapters::kit::untrusted::Untrusted;
+use raybook_chapters::lab::settings::FEW;
 use raybook_chapters::lab::subject::{Realisations, Subject};
 use std::error::Error;
 use std::path::Path;
@@ -17,8 +18,13 @@ pub fn read(path: &Path, [needed, further]: [Vec<usize>; 2]) -> Result<Subject, 
     let sets = sets(&text).map_err(|why| format!("{name}: {why}"))?;
     let most = sets.iter().map(Vec::len).max().unwrap_or(0);
     if let Some(n) = needed.iter().find(|n| **n > most) {
+        let fewer = if most < FEW {
+            format!("give {FEW} or more, which the page shows at the least")
+        } else {
+            format!("give more points, or ask for fewer, --points {most} and --samples 1,4")
+        };
         return Err(format!(
-            "{name}: its largest set has {most} points, and a figure shows {n}: give more points, or ask for fewer, --points {most} and --samples 1,4"
+            "{name}: its largest set has {most} points, and a figure shows {n}: {fewer}"
         )
         .into());
     }

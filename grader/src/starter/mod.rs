@@ -134,6 +134,25 @@ pub fn reference(language: Language, exercise: &str) -> Option<String> {
     Some(function).filter(|function| !function.is_empty())
 }
 
+/// The reference of an exercise with what it calls, and without the other exercises: in Rust what it calls is the workbook's already.
+pub fn reference_alone(language: Language, exercise: &str) -> Option<String> {
+    if language == Language::Rust {
+        return reference(language, exercise);
+    }
+    let others = curriculum::of_exercise(exercise)?.exercises().iter();
+    let others = others.filter(|asked| asked.name != exercise);
+    let mut text = reference_file(language, &place(language, exercise)?)?;
+    for other in others.filter_map(|asked| reference(language, asked.name)) {
+        if let Some((before, after)) = text.split_once(&other) {
+            let comment = |line: &&str| line.starts_with("//") || line.starts_with('#');
+            let comment = before.lines().rev().take_while(comment);
+            let comment: usize = comment.map(|line| line.len() + 1).sum();
+            text = before[..before.len() - comment].to_owned() + after.trim_start();
+        }
+    }
+    Some(text.trim_end().to_owned() + "\n")
+}
+
 /// The text of a README, with the files of the chapters after it.
 fn readme(text: &str, file: impl Fn(&str) -> String) -> String {
     let line = |chapter: &Chapter| {

@@ -54,6 +54,11 @@ fn what_is_wrong_is_said_with_its_place() {
         ("points = ", "1:", "string values must be quoted"),
         ("title = 3", "1:9", "`title` must be a text in quotes"),
         ("partial = 1.5", "1:11", "a number from 0 to 1"),
+        (
+            "[[chapter]]\nchapter = 32",
+            "2:11",
+            "a whole number from 1 to",
+        ),
         ("points = nan", "1:10", "a number from 0"),
         ("languages = ['pyton']", "1:14", "did you mean `python`"),
         (
@@ -93,7 +98,7 @@ fn what_is_wrong_is_said_with_its_place() {
             "ray_at counts already",
         ),
         (
-            "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = 1",
+            "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = true",
             "4:11",
             "a text in quotes",
         ),

@@ -282,7 +282,7 @@ fn a_program_that_fails_is_no_fault_of_a_hand_in() {
 #[test]
 fn what_is_wrong_with_the_folder_is_said() {
     type Change = fn(&Course);
-    let changes: [(Change, &str); 8] = [
+    let changes: [(Change, &str); 9] = [
         (|c| remove(c, "lenses"), "lenses"),
         (|c| remove(c, "lenses/lens_power.txt"), "lens_power.txt"),
         (
@@ -292,6 +292,10 @@ fn what_is_wrong_with_the_folder_is_said() {
         (
             |c| put(c, "lenses/lens_power.txt", "a | 1 2\n"),
             "lens_power.txt: line 1, column 8",
+        ),
+        (
+            |c| put(c, "lenses/lens_power.txt", "a | nan 1 2\n"),
+            "lens_power.txt: line 1, column 5: in the question, `n` is NaN",
         ),
         (
             |c| put(c, "lenses/lens_power.toml", "task = 'x'\n"),

@@ -178,8 +178,8 @@ fn scripts_for_slurm_are_sound_whatever_the_folders_are_called() {
     let journal = text(&course.path("the results/run.jsonl"));
     assert_eq!(
         journal.lines().filter(|line| !line.is_empty()).count(),
-        1,
-        "merged twice, it holds nothing twice"
+        2,
+        "merged twice, it holds nothing twice: the key and a result"
     );
     assert!(!course.path("FORGED").exists(), "a name is a name");
     let (code, said) = course.say(&[

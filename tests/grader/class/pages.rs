@@ -1,7 +1,7 @@
 //! What a browser shows of a graded class.
 
 use super::exports::{NAME, class};
-use super::{Course, text};
+use super::{Course, RIGHT, text, visible_only, wrong_sign};
 use raybook_common::project;
 
 #[test]
@@ -51,6 +51,39 @@ fn a_page_shows_the_picture_of_wrong_answers_and_stays_small() {
         "{} bytes of a journal",
         journal.len()
     );
+}
+
+#[test]
+fn pages_tell_what_belongs_together_and_who_reaches_for_more() {
+    let course = Course::new("[[chapter]]\nchapter = 1\nexercises = ['ray_at']\n");
+    // The first visible case has another fault than all others.
+    let two = wrong_sign().replace(
+        "        print('=', *",
+        "        print('= 7 7 7', flush=True) if n[6] == 0 else print('=', *",
+    );
+    course.hand_in("two.py", &two);
+    course.hand_in("memory.py", &visible_only());
+    course.hand_in("spy.py", &format!("import subprocess\n{RIGHT}"));
+    let (code, said) = course.grade(&[]);
+    assert_eq!(code, Some(0), "{said}");
+    let page = text(&course.path("results/students/two/index.html"));
+    let (_, told) = page.split_once("cases are right").expect("some are wrong");
+    assert!(
+        told.contains("along x from the world's origin:") && told.contains("goes backwards"),
+        "the case is one of the mistake: {told}"
+    );
+    let page = text(&course.path("results/students/memory/index.html"));
+    assert!(
+        page.contains("For other questions it seems that your function returns 0"),
+        "{page}"
+    );
+    let page = text(&course.path("results/index.html"));
+    for remark in [
+        "its text seems to try to start programs",
+        "right on the visible cases only: ray_at",
+    ] {
+        assert_eq!(page.matches(remark).count(), 1, "{remark}: {page}");
+    }
 }
 
 #[test]

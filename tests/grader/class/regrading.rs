@@ -24,6 +24,12 @@ fn other_hidden_cases_for_another_term_or_key() {
         "{said}"
     );
     assert_eq!(files(), before, "nothing of it changes");
+    fs::remove_file(course.path("results/class.json")).expect("it was there");
+    let (code, said) = course.grade(&[]);
+    assert!(
+        code == Some(2) && said.contains("another course key"),
+        "the journal knows, where the first run was interrupted or was a part: {said}"
+    );
     assert!(asked(&course.grade(&["--out", "others"]).1), "another key");
     fs::remove_dir_all(course.path("results")).expect("it was there");
     assert!(asked(&course.grade(&[]).1), "everything, as is said");

@@ -91,4 +91,8 @@ for line in sys.stdin:
         code == 0 && said.contains("had no answer that can be read"),
         "{code} {said}"
     );
+    assert!(
+        said.contains("wrong    sphere_hit") && said.contains("`raybook check sphere_hit"),
+        "{said}"
+    );
 }

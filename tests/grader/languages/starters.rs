@@ -282,6 +282,23 @@ fn cmake_takes_the_folder_in_cpp() {
     );
 }
 
+#[cfg(unix)]
+#[test]
+fn who_ends_by_a_signal_in_cpp_is_told_how_to_find_the_line() {
+    let home = tempfile::tempdir().expect("a temporary folder");
+    let (code, said) = raybook_with(home.path(), &["new", "rays", "--language", "C++"], &[]);
+    assert_eq!(code, 0, "{said}");
+    let folder = home.path().join("rays");
+    fs::write(folder.join("ends.sh"), "read -r line; kill -SEGV $$\n").expect("it can be written");
+    let toml = "language = \"cpp\"\nrun = \"sh ends.sh\"\n";
+    fs::write(folder.join("raybook.toml"), toml).expect("it can be written");
+    let (code, said) = raybook_with(&folder, &["check", "ray_at"], &[]);
+    assert!(
+        code == 1 && said.contains("make -j4 debug && raybook check ray_at --case 1 --program build/debug/answer --trust"),
+        "{said}"
+    );
+}
+
 #[test]
 fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
     if !there_is("python3") {
@@ -295,6 +312,23 @@ fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
         code == 1 && first.starts_with("ray_at, case 1"),
         "what is next is explained: {first}"
     );
+
+    let before = fs::read(folder.join("ch02_hdr.py")).expect("it is there");
+    let (code, alone) = said(&["solve", "expose"]);
+    assert!(
+        code == 0 && alone.contains("def expose(") && !alone.contains("def encode_srgb("),
+        "{alone}"
+    );
+    assert!(
+        alone.contains("ch02_hdr.py is as it was, for it has your tone_map, encode_srgb too"),
+        "{alone}"
+    );
+    assert_eq!(
+        fs::read(folder.join("ch02_hdr.py")).expect("it is there"),
+        before
+    );
+    let taken = fs::read_to_string(folder.join("references-taken.txt"));
+    assert_eq!(taken.expect("it is recorded"), "expose\n");
 
     let (code, solved) = said(&["solve", "ch01", "ch02"]);
     assert!(
@@ -315,6 +349,13 @@ fn a_chapter_that_was_missed_is_solved_in_the_workbooks_language() {
     assert!(
         code == 0 && nothing.contains("Nothing to explain"),
         "{nothing}"
+    );
+
+    fs::remove_file(folder.join("ch04_plane.py")).expect("it was there");
+    let (code, gone) = said(&["check", "ch04"]);
+    assert!(
+        code == 1 && gone.contains("Next: ch04_plane.py is gone: bring it back"),
+        "{gone}"
     );
 
     let toml = "language = \"perl\"\nrun = \"perl answer.pl\"\n";

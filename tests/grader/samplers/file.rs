@@ -54,7 +54,7 @@ fn a_file_that_is_too_short_or_no_list_of_points_is_refused() {
     for (text, words) in [
         (
             "0.5 0.5\n0.2 0.2\n",
-            "its largest set has 2 points, and a figure shows 16",
+            "its largest set has 2 points, and a figure shows 16: give 16 or more",
         ),
         (
             "0.5 0.5\n1.5 0.5\n",

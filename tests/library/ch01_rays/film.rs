@@ -286,3 +286,9 @@ fn every_sampler_draws_the_same_picture_but_for_its_noise() {
         }
     }
 }
+
+#[test]
+#[should_panic(expected = "no memory for a film of 1000000000 × 1000000000 pixels")]
+fn a_film_that_is_too_large_for_any_memory_is_told() {
+    Film::new(1_000_000_000, 1_000_000_000, 1).sample(|_, _| Rgb::BLACK);
+}

@@ -42,10 +42,9 @@ fn evenly_outwards<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Ve
         let (below, up_to) = (i as f32 / n, (i + 1) as f32 / n);
         if below - share > bound || share - up_to > bound {
             return Err(format!(
-                "the points are not evenly spread: {:.1} % of them are within {:.3} of the middle, and {:.1} % should be",
-                100.0 * below,
+                "the points are not evenly spread: {i} of {n} are nearer to the middle than {:.3}, and about {:.1} should be",
                 share.sqrt(),
-                100.0 * share
+                n * share
             ));
         }
     }
@@ -65,8 +64,8 @@ fn evenly_round<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Verdi
         return Ok(());
     }
     Err(format!(
-        "the points are not evenly spread all the way round: an arc of the disc has {:.1} % of the points too many",
-        100.0 * (most - least)
+        "the points are not evenly spread all the way round: an arc of the disc has {:.1} of the {n} points too many",
+        n * (most - least)
     ))
 }
 

@@ -145,13 +145,22 @@ fn chapters(top: &Fields<'_>, points: f64) -> Result<Vec<Plan>, TextError> {
 }
 
 fn plan(table: Fields<'_>, points: f64) -> Result<Plan, TextError> {
-    let Some(word) = table.text("chapter")? else {
-        let what = "which chapter? `chapter = \"ch01\"`, or its whole name, must stand here";
+    let value = table.value("chapter");
+    let word = if value.is_some_and(|value| value.get_ref().is_integer()) {
+        let chapters = 1..=CHAPTERS.len() as u64;
+        let number = table.whole("chapter", chapters)?;
+        number.map(|number| number.to_string())
+    } else {
+        table.text("chapter")?.map(str::to_owned)
+    };
+    let Some(word) = word else {
+        let what =
+            "which chapter? `chapter = \"ch01\"`, its number or its whole name must stand here";
         return Err(table.wrong("chapter", what));
     };
-    let chapter = curriculum::called(word).ok_or_else(|| {
+    let chapter = curriculum::called(&word).ok_or_else(|| {
         let names = CHAPTERS.iter().map(|chapter| chapter.name);
-        table.wrong("chapter", no_such("chapter", word, names))
+        table.wrong("chapter", no_such("chapter", &word, names))
     })?;
     let names = chapter.exercises().iter();
     let names: Vec<_> = names.map(|exercise| exercise.name).collect();

@@ -115,7 +115,15 @@ fn words(exercise: &ExerciseGrade) -> String {
         words += &result.why;
     }
     if let Some([mistake, hint]) = &result.mistake {
-        let _ = write!(words, "\nIt seems that your function {mistake}. {hint}");
+        let where_it_shows = if result.right_on_visible_only() {
+            "For other questions it seems"
+        } else {
+            "It seems"
+        };
+        let _ = write!(
+            words,
+            "\n{where_it_shows} that your function {mistake}. {hint}"
+        );
     }
     if exercise.taken {
         words += "\nThis is the reference, which was taken.";

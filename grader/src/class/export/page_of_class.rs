@@ -3,7 +3,7 @@
 use super::STUDENTS;
 use crate::class::grades::{Grade, points};
 use crate::class::items::Item;
-use crate::class::record::Standing;
+use crate::class::record::{Marked, Standing};
 use crate::class::roll::Class;
 use maud::{Markup, html};
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -88,6 +88,7 @@ fn students(class: &Class<'_>) -> Markup {
             td style="text-align:left" {
                 @if let Err(why) = &grade.sheet.print { "refused: " (Untrusted::from(why.as_str())) }
                 @else if !grade.is_complete() { "not graded in full" }
+                @for remark in remarks(grade) { (remark) br; }
             }
         } }
     };
@@ -99,6 +100,29 @@ fn students(class: &Class<'_>) -> Markup {
             @for grade in &class.grades { (row(grade)) }
         }))
     } }
+}
+
+/// What an instructor may want to look at: days late, a text that reaches for what no exercise needs, exercises that are right in the
+/// visible cases only.
+fn remarks(grade: &Grade) -> Vec<String> {
+    let tries: Vec<_> = grade.sheet.tries.iter().map(String::as_str).collect();
+    let tries =
+        (!tries.is_empty()).then(|| format!("its text seems to try to {}", tries.join(", ")));
+    let visible_only = grade.exercises().filter(|exercise| {
+        let result = exercise.result.as_ref();
+        result.is_some_and(Marked::right_on_visible_only)
+    });
+    let visible_only: Vec<_> = visible_only.map(|exercise| exercise.counted.name).collect();
+    let visible_only = (!visible_only.is_empty()).then(|| {
+        let names = visible_only.join(", ");
+        format!("right on the visible cases only: {names}")
+    });
+    let late = grade.chapters.iter().map(|chapter| chapter.days_late).max();
+    let late = late.filter(|&days| days > 0).map(|days| {
+        let days_late = if days == 1 { "day" } else { "days" };
+        format!("{days} {days_late} late")
+    });
+    late.into_iter().chain(tries).chain(visible_only).collect()
 }
 
 /// A student's name, which leads to the student's page.

@@ -1,4 +1,4 @@
-//! A student's page: points, what is wrong, drawings of the first wrong cases and pictures of the answers, without a word about
+//! A student's page: points, what is wrong, drawings of wrong cases and pictures of the answers, without a word about
 //! hidden cases. It needs no other file.
 
 use super::words;
@@ -84,14 +84,14 @@ struct Figure {
     caption: &'static str,
 }
 
-/// The drawing of the first wrong case of an exercise, and the picture of its answers, as far as there are any.
+/// The drawing of the wrong case of an exercise that is told, and the picture of its answers, as far as there are any.
 fn figures(exercise: &ExerciseGrade) -> impl Iterator<Item = Figure> {
     let name = exercise.counted.name;
     let drawing = drawing(exercise).map(|drawing| Figure {
         exercise: name,
         source: address::of_bytes("image/svg+xml", drawing.svg().as_bytes()),
         alt: drawing.title,
-        caption: "the first case that is wrong, and what your function answers.",
+        caption: "the wrong case that is told, and what your function answers.",
     });
     let picture = exercise
         .result
@@ -106,7 +106,7 @@ fn figures(exercise: &ExerciseGrade) -> impl Iterator<Item = Figure> {
     drawing.into_iter().chain(picture)
 }
 
-/// The drawing of the first wrong visible case of an exercise, where one says more than numbers.
+/// The drawing of the wrong visible case of an exercise that is told, where one says more than numbers.
 fn drawing(exercise: &ExerciseGrade) -> Option<Diagram> {
     let [question, answer] = exercise.result.as_ref()?.shown.as_ref()?;
     let (examiner, explainer) = (

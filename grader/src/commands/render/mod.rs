@@ -2,11 +2,12 @@
 
 mod preview;
 
-use super::Done;
+use super::{Done, tell_new_folder};
 use raybook::image::Image;
 use raybook::image::file::{self, FileError};
 use raybook::render::film::{self, Film, Progress};
 use raybook_chapters::kit::options::WIDEST;
+use raybook_chapters::kit::options::seed;
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::stage::progress_bar;
 use raybook_chapters::kit::untrusted::Untrusted;
@@ -31,7 +32,7 @@ pub struct Render {
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     samples: Option<u32>,
     /// The seed of all random numbers [default: what the file says]
-    #[arg(long)]
+    #[arg(long, value_parser = seed)]
     seed: Option<u64>,
     /// The number of threads; the picture does not depend on it [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]
@@ -57,6 +58,7 @@ impl Render {
     /// Reads the scene, draws it and writes the picture.
     pub fn run(&self) -> Done {
         file::expect_name(&self.out)?; // before the work, not after it
+        tell_new_folder(&self.out);
         if let Some(view) = self.preview {
             return preview::run(self, view);
         }

@@ -23,15 +23,14 @@ pub fn sah_split(items: &mut [Item], cost: &Cost) -> (usize, f32) {
     let mut right = vec![0.0; n];
     let orders = [0, 1, 2].map(|along| order_along(items, along));
     for (along, order) in orders.iter().enumerate() {
-        let bounds = |i: usize| &order[i].of(items).bounds;
         let mut side = Bounds::EMPTY;
-        for i in (1..n).rev() {
-            side = side.union(bounds(i));
+        for (i, key) in (1..n).zip(order.iter().skip(1)).rev() {
+            side = side.union(&key.of(items).bounds);
             right[i] = side.half_area() * cost.shapes(n - i);
         }
         side = Bounds::EMPTY;
-        for i in 1..n {
-            side = side.union(bounds(i - 1));
+        for (i, key) in (1..n).zip(order) {
+            side = side.union(&key.of(items).bounds);
             let both = side.half_area() * cost.shapes(i) + right[i];
             if both < least {
                 (axis, left, least) = (along, i, both);

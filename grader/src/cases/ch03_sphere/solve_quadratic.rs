@@ -54,18 +54,6 @@ impl Graded for SolveQuadratic {
             },
         },
         Mistake {
-            name: "uses the schoolbook formula for both roots, in double precision",
-            hint: "Twice as many digits do not help where b² is larger than 4ac by more digits still: in which of the two roots do −b and the square root nearly cancel, and how else can you get it?",
-            answer: |q| {
-                let [a, b, c] = [q.a, q.b, q.c].map(f64::from);
-                let discriminant = b * b - 4.0 * a * c;
-                let root = discriminant.sqrt();
-                let roots = [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)];
-                let [one, other] = roots.map(|t| t as f32);
-                (a != 0.0 && discriminant >= 0.0).then(|| sorted(vec2(one, other)))
-            },
-        },
-        Mistake {
             name: "returns the roots unsorted",
             hint: "Try a negative a, then a positive b: which of your two roots is the smaller one?",
             answer: |q| {

@@ -192,17 +192,9 @@ mod tests {
 
     #[test]
     fn nonsense_is_known_after_a_bounded_number_of_steps() {
-        for name in [
-            "voxels_of_triangle",
-            "grid_walk",
-            "two_level_walk",
-            "sphere_hit",
-        ] {
-            let examiner = cases::find(name).expect("it exists");
-            let steps = steps_for_nonsense(examiner);
-            println!("{name}: {steps} steps");
-            assert!(steps > 0, "{name}: slips are tried");
-            assert!(steps <= STEPS + 1_000_000, "{name}: {steps} steps");
-        }
+        let examiner = cases::find("voxels_of_triangle").expect("it exists");
+        let steps = steps_for_nonsense(examiner);
+        assert!(steps > 0, "slips are tried");
+        assert!(steps <= STEPS + 1_000_000, "{steps} steps");
     }
 }

@@ -32,13 +32,14 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     let mut slips = slipped(evidence);
     slips.sort_by_key(|slip| slip.rank);
     let Some(first) = slips.first() else { return };
-    let length = first.length(&probe.items[0].question).max(1);
+    let few = [0, evidence.wrong / 2, evidence.wrong - 1];
+    let lengths = few.map(|k| first.length(&evidence.items[k].question));
+    let length = lengths.into_iter().max().unwrap_or_default().max(1);
     slips.truncate((2 * STEPS / length).isqrt());
     let of_both = |one: &Slipped, other: &Slipped, k: usize| {
         let answer = one.answer_with(other, &evidence.items[k].question)?;
         Some(answer).filter(|answer| !answer.iter().any(|v| v.is_nan()))
     };
-    let few = [0, evidence.wrong / 2, evidence.wrong - 1];
     for (i, one) in slips.iter().enumerate() {
         for other in slips[..i].iter().filter(|other| one.goes_with(other)) {
             let explains = |k: &usize| {

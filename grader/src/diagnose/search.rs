@@ -12,6 +12,7 @@ use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
 use raybook_workbook::exercise::Asked;
+use std::collections::BTreeMap;
 
 /// The explanation that agrees best with the evidence.
 pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found> {
@@ -196,10 +197,14 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
 }
 
 /// All explanations by a step that goes wrong.
-fn by_slips(evidence: &Evidence<'_>, share: f64, slips: Vec<Slipped>, found: &mut Vec<Found>) {
+fn by_slips(evidence: &Evidence<'_>, share: f64, mut slips: Vec<Slipped>, found: &mut Vec<Found>) {
+    slips.sort_by_key(|slip| slip.rank);
+    let mut few_of_ways = BTreeMap::new();
     for slip in slips {
+        let few = few_of_ways.entry(slip.way);
+        let few = few.or_insert_with(|| slip.tried_on(evidence, share));
         let answer = |k: usize| {
-            let made = slip.answer(&evidence.items[k].question)?;
+            let made = slip.answer_to(evidence, k)?;
             Some(evidence.normalised(made))
         };
         let one = Explanation {
@@ -210,7 +215,7 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, slips: Vec<Slipped>, found: &mu
             answers: Vec::new(),
         };
         let known = found.len();
-        consider(evidence, share, one, &answer, found);
+        consider_after(evidence, few, share, one, &answer, found);
         for one in &mut found[known..] {
             let beside = |k: usize| slip.answer_beside(&evidence.items[k].question);
             let beside = evidence.score(share, beside);
@@ -281,7 +286,26 @@ pub fn consider(
     answer: &dyn Fn(usize) -> Option<Vec<f64>>,
     found: &mut Vec<Found>,
 ) {
-    let Some(score) = evidence.score(share, answer) else {
+    consider_after(
+        evidence,
+        &evidence.few(share, |_| ()),
+        share,
+        one,
+        answer,
+        found,
+    );
+}
+
+/// The same, given up if it gives none of a few wrong answers.
+fn consider_after(
+    evidence: &Evidence<'_>,
+    few: &[usize],
+    share: f64,
+    one: Explanation,
+    answer: &dyn Fn(usize) -> Option<Vec<f64>>,
+    found: &mut Vec<Found>,
+) {
+    let Some(score) = evidence.score_after(few, share, answer) else {
         return;
     };
     let answers = if one.answers.is_empty() {

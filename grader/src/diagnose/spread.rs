@@ -151,7 +151,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
     if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
         let by_steps = |slip: Slipped| {
-            let answer = |k: usize| slip.answer(&evidence.items[k].question);
+            let answer = |k: usize| slip.answer_to(evidence, k);
             considered(SLIP, &slip.name, &slip.hint, &answer)
         };
         found.extend(promising(evidence).into_iter().filter_map(by_steps));
@@ -240,8 +240,10 @@ fn promising(evidence: &Evidence<'_>) -> Vec<Slipped> {
         return Vec::new();
     };
     let is_promising = |slip: &Slipped| {
-        let rest = traits.distance(&|k| slip.answer(&probe.items[k].question));
+        let rest = traits.distance(&|k| slip.answer_to(&probe, k));
         rest.is_some_and(|rest| rest.norm() <= PROMISING * whole.norm())
     };
-    slipped(&probe).into_iter().filter(is_promising).collect()
+    let mut slips = slipped(&probe);
+    slips.sort_by_key(|slip| slip.rank);
+    slips.into_iter().filter(is_promising).collect()
 }

@@ -261,6 +261,22 @@ impl Graded for VertexNormals {
             },
         },
         Mistake {
+            name: "turns each triangle's normal to the side of the sum before it is added",
+            hint: "The order of the corners says on which side of a triangle the outside is: may its normal be turned?",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for i in corners {
+                        let is_behind = twice_area.dot(sums[i]) < 0.0;
+                        sums[i] += if is_behind { -twice_area } else { twice_area };
+                    }
+                }
+                sums.into_iter()
+                    .map(|sum| sum.normalize_or(Vec3::Y))
+                    .collect()
+            },
+        },
+        Mistake {
             name: "weighs by the angle at the vertex, not by the area",
             hint: "That is another average, a good one too: by what does the task weigh the triangles?",
             answer: |q| {

@@ -99,6 +99,11 @@ impl Graded for ShadowRay {
             hint: "On which side of the surface is the light, and to which side do you step?",
         },
         Flaw {
+            complaint: "m behind the ray's origin",
+            name: "begins the interval behind the ray's origin",
+            hint: "Which points of the ray does a negative distance name?",
+        },
+        Flaw {
             complaint: "m off the point",
             name: "does not step far enough off the surface",
             hint: "How far may the true surface be from the point?",
@@ -167,6 +172,11 @@ impl Graded for ShadowRay {
                 let step = q.error * q.normal.abs().element_sum();
                 starting(q, q.position + step * *q.normal, 0.0)
             },
+        },
+        Mistake {
+            name: "lets the interval begin a metre behind the ray's origin",
+            hint: "Which points of the ray does a negative distance name?",
+            answer: |q| starting(q, ShadowRay::answer(q).origin, -1.0),
         },
         Mistake {
             name: "skips a quarter of the way",

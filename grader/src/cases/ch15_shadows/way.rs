@@ -38,7 +38,14 @@ pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
     let cosine = normal.dot(q.toward.as_dvec3());
     let needed = f64::from(q.error) * normal.abs().element_sum();
     let (off, far) = (normal.dot(start) * cosine.signum(), start.length());
-    if off < ROUNDED * needed {
+    let origin = got.origin.as_dvec3() - q.position.as_dvec3();
+    let is_behind = normal.dot(origin) * cosine.signum() >= ROUNDED * needed;
+    if off < ROUNDED * needed && got.within.min < 0.0 && is_behind {
+        Err(format!(
+            "the interval begins {} m behind the ray's origin, where it may find its own surface again",
+            -got.within.min
+        ))
+    } else if off < ROUNDED * needed {
         let side = if off < 0.0 {
             "on the wrong side of"
         } else {

@@ -114,6 +114,17 @@ const SAME: f64 = 1e-6;
 /// What is predicted to the last digits is at most this share as far from an answer as the right one is.
 const NEAR: f64 = 0.25;
 
+/// Of a row's things, cut into stretches of the same length, the places of those with the least cost: in a tie nearest to the middle.
+pub fn stretches<C: Ord>(row: usize, count: usize, cost: impl Fn(usize) -> C) -> Vec<usize> {
+    let count = count.min(row);
+    let least = |k: usize| {
+        let middle = (2 * k + 1) * row / (2 * count);
+        let of = k * row / count..(k + 1) * row / count;
+        of.min_by_key(|i| (cost(*i), i.abs_diff(middle)))
+    };
+    (0..count).filter_map(least).collect()
+}
+
 /// How far two answers are apart: the sum of what their numbers differ by, as shares of these.
 fn distance(one: &[f64], other: &[f64]) -> f64 {
     if one.len() != other.len() {
@@ -132,10 +143,12 @@ fn distance(one: &[f64], other: &[f64]) -> f64 {
 }
 
 impl Evidence<'_> {
-    /// A prediction, as far as it is looked at; none if it says nothing, or far more than was answered.
+    /// A prediction, as far as it is looked at; none if it says nothing, or far more than was answered, or far less.
     fn seen(&self, item: &Item, prediction: &[f64]) -> Option<Vec<f64>> {
-        if prediction.len() > MUCH + 2 * item.got.len() {
-            return None; // a misread density makes lists of a million cells
+        let is_much_longer = |one: &[f64], other: &[f64]| one.len() > MUCH + 2 * other.len();
+        // A misread density makes lists of a million cells, and so may a student.
+        if is_much_longer(prediction, &item.got) || is_much_longer(&item.got, prediction) {
+            return None;
         }
         let prediction = self.canonical(&item.question, prediction);
         match self.scope {
@@ -271,23 +284,35 @@ impl Evidence<'_> {
         explained.map(|(_, (item, _))| item.case).min()
     }
 
-    /// Whether any of a few wrong answers, from all over, is as predicted: of those that explain this share nearly always one is.
-    fn may_explain(&self, share: f64, mut predict: impl FnMut(usize) -> Option<Vec<f64>>) -> bool {
-        let few = (SELDOM.ln() / -(1.0 - share).ln()).ceil() as usize;
-        if share >= 1.0 || few >= self.wrong {
-            return true;
-        }
-        let mut each = (0..few).map(|k| (2 * k + 1) * self.wrong / (2 * few));
-        each.any(|i| predict(i).is_some_and(|answer| self.explains(i, &answer)))
+    /// A few wrong answers, from all over: of predictions that explain this share of all nearly always one is right there. Of each
+    /// stretch of the wrong ones it is the one with the least cost, or that in the middle.
+    pub fn few<C: Ord>(&self, share: f64, cost: impl Fn(usize) -> C) -> Vec<usize> {
+        let few = if share < 1.0 {
+            (SELDOM.ln() / -(1.0 - share).ln()).ceil() as usize
+        } else {
+            1
+        };
+        stretches(self.wrong, few, cost)
     }
 
     /// How well predictions, one per item, agree with all answers; none if they explain less than this share of the wrong ones.
     pub fn score(
         &self,
         share: f64,
+        predict: impl FnMut(usize) -> Option<Vec<f64>>,
+    ) -> Option<Score> {
+        self.score_after(&self.few(share, |_| ()), share, predict)
+    }
+
+    /// The same, given up if none of a few answers is as predicted.
+    pub fn score_after(
+        &self,
+        few: &[usize],
+        share: f64,
         mut predict: impl FnMut(usize) -> Option<Vec<f64>>,
     ) -> Option<Score> {
-        if !self.may_explain(share, &mut predict) {
+        let mut explains = |i: &usize| predict(*i).is_some_and(|one| self.explains(*i, &one));
+        if few.len() < self.wrong && !few.iter().any(&mut explains) {
             return None;
         }
         let needed = (share * self.wrong as f64).ceil().max(1.0) as usize;

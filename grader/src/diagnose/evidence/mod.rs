@@ -4,11 +4,14 @@
 mod agreement;
 mod form;
 
-pub use agreement::Score;
+pub use agreement::{Score, stretches};
 
+use crate::diagnose::slips::Tried;
 use crate::examine::{Case, Examiner};
 use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
+use std::cell::RefCell;
+use std::rc::Rc;
 
 /// What of the answers is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -75,6 +78,8 @@ pub struct Evidence<'a> {
     unit: Vec<bool>,
     free: bool,
     judged: bool,
+    /// What slips answer, which is the same for all parts of an answer.
+    pub slips: Rc<RefCell<Tried>>,
 }
 
 /// What an answer tells that holds nothing but yes, no, or a small whole number.
@@ -131,6 +136,7 @@ impl<'a> Evidence<'a> {
             unit: Vec::new(),
             free: false,
             judged: false,
+            slips: Rc::default(),
         };
         evidence.judged = evidence.judge_compares();
         evidence.free = evidence.order_is_free();
@@ -287,6 +293,7 @@ impl<'a> Evidence<'a> {
             unit: self.unit.clone(),
             free: self.free,
             judged: self.judged,
+            slips: Rc::clone(&self.slips),
         })
     }
 

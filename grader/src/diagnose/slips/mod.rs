@@ -10,10 +10,11 @@ mod possible;
 use super::evidence::Evidence;
 use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
-use crate::explain::way::Way;
+use crate::explain::way::{Walked, Way};
 use crate::explain::{Explainer, find};
 pub use fitted::fitted;
 use possible::RANK;
+use std::collections::HashMap;
 
 /// A way of an exercise with one slip.
 pub struct Slipped {
@@ -24,7 +25,8 @@ pub struct Slipped {
     /// How common it is.
     pub rank: u32,
     explainer: &'static Explainer,
-    way: usize,
+    /// The number of the way.
+    pub way: usize,
     slip: Slip,
     /// A longer way than this is nobody's: the slip has made a list of all numbers.
     most: usize,
@@ -33,17 +35,44 @@ pub struct Slipped {
 impl Slipped {
     /// What is answered; nothing where the way has no end, or leads nowhere.
     pub fn answer(&self, question: &[f64]) -> Option<Vec<f64>> {
+        self.gone(question).map(|(answer, _)| answer)
+    }
+
+    /// The same with the number of steps that were gone for it.
+    fn gone(&self, question: &[f64]) -> Option<(Vec<f64>, usize)> {
         let work = |way: &mut Way| (self.explainer.work)(self.way, question, way);
         attempt(|| {
             let mut way = Way::with(self.slip).no_longer_than(self.most);
             let answer = work(&mut way);
             if !way.looks_ahead() {
-                return answer;
+                return (answer, way.length());
             }
             let mut right = Way::default();
             work(&mut right);
-            work(&mut Way::with_ahead(self.slip, right.end()))
+            let mut ahead = Way::with_ahead(self.slip, right.end());
+            (work(&mut ahead), ahead.length())
         })
+    }
+
+    /// The same for an item, of which it is known once it was asked; nothing when slips have gone too many steps.
+    pub fn answer_to(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
+        let item = &evidence.items[item];
+        let of = (self.way, format!("{:?}", self.slip), item.case);
+        if let Some(known) = evidence.slips.borrow().answers.get(&of) {
+            return known.clone();
+        }
+        if evidence.slips.borrow().steps > STEPS {
+            return None;
+        }
+        let (answer, steps) = match self.gone(&item.question) {
+            Some((answer, steps)) => (Some(answer), steps),
+            // A way without an end is gone as far as it may be.
+            None => (None, self.most),
+        };
+        let mut tried = evidence.slips.borrow_mut();
+        tried.steps += steps;
+        tried.answers.insert(of, answer.clone());
+        answer
     }
 
     /// What is answered if another slip is made on the same way too.
@@ -86,11 +115,37 @@ impl Slipped {
 
     /// How many steps the way to an answer has.
     pub fn length(&self, question: &[f64]) -> usize {
+        self.right(question).length
+    }
+
+    /// A few wrong answers on which it is tried before it is tried on all, as are a thousand others of its way: those whose ways are
+    /// short, and come by all places.
+    pub fn tried_on(&self, evidence: &Evidence<'_>, share: f64) -> Vec<usize> {
+        let wrong = evidence.items[..evidence.wrong].iter();
+        let serve: Vec<_> = wrong
+            .map(|item| self.right(&item.question).serves())
+            .collect();
+        evidence.few(share, |i| serve[i])
+    }
+
+    fn right(&self, question: &[f64]) -> Walked {
         let mut way = Way::default();
         (self.explainer.work)(self.way, question, &mut way);
-        way.end().length
+        way.end()
     }
 }
+
+/// What slips answer.
+#[derive(Default)]
+pub struct Tried {
+    /// By the way, the slip and the case.
+    answers: HashMap<(usize, String, usize), Option<Vec<f64>>>,
+    /// The number of steps of all the ways that were gone for these.
+    steps: usize,
+}
+
+/// Steps and decisions that are gone with slips in one diagnosis: of a long way only the slips that are most common are tried.
+const STEPS: usize = 30_000_000;
 
 /// The rank of the first change of a value that is no common one: takes 0, 1, twice or half of it.
 const RARE: u32 = 10;
@@ -113,4 +168,33 @@ pub fn slipped(evidence: &Evidence<'_>) -> Vec<Slipped> {
     };
     let of_way = |way| possible::slips(explainer, way, evidence);
     (0..explainer.ways).flat_map(of_way).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::cases;
+    use crate::diagnose::misread::misreadings;
+    use crate::diagnose::search::search;
+    use crate::examine::{Examiner, visible_rng};
+
+    /// The number of steps that slips go where each answer is the right one to the next question.
+    fn steps_for_nonsense(examiner: &dyn Examiner) -> usize {
+        let cases = examiner.cases(&mut visible_rng(examiner.name())).cases;
+        let next = cases.iter().cycle().skip(1);
+        let answers = next.map(|case| (case.answers.first().cloned(), false));
+        let answers: Vec<_> = answers.take(cases.len()).collect();
+        let evidence = Evidence::new(examiner, &cases, &answers);
+        let readings = misreadings(examiner.asked().question, examiner.limits());
+        search(&evidence, &readings);
+        evidence.slips.borrow().steps
+    }
+
+    #[test]
+    fn nonsense_is_known_after_a_bounded_number_of_steps() {
+        let examiner = cases::find("voxels_of_triangle").expect("it exists");
+        let steps = steps_for_nonsense(examiner);
+        assert!(steps > 0, "slips are tried");
+        assert!(steps <= STEPS + 1_000_000, "{steps} steps");
+    }
 }

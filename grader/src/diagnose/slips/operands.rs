@@ -27,9 +27,6 @@ pub struct Operation {
     pub slip: Slip,
 }
 
-/// More questions than these tell nothing new about the form of a formula.
-const QUESTIONS: usize = 6;
-
 /// What a value is moved by to see who moves with it.
 const MOVED: f64 = 0.25;
 
@@ -43,8 +40,6 @@ pub fn operations(
     steps: &[&Step],
     tells: bool,
 ) -> Vec<(Place, Operation)> {
-    let stride = questions.len().div_ceil(QUESTIONS).max(1);
-    let questions: Vec<_> = questions.iter().step_by(stride).collect();
     let walk = |question: &[f64], mut steps: Way| {
         attempt(|| {
             (explainer.work)(way, question, &mut steps);

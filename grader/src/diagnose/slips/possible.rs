@@ -3,12 +3,13 @@
 use super::Slipped;
 use super::habits::{AMONG, CHOICES, COMMON, EARLIER, NEAR, ORDERS, POWERS, ROUNDS, SIDES, limits};
 use super::operands;
-use crate::diagnose::evidence::Evidence;
+use crate::diagnose::evidence::{Evidence, stretches};
 use crate::diagnose::function::FUNCTIONS;
 use crate::explain::Explainer;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Asks, Choice, Limit, Met, Spot, Step, Way};
 use std::borrow::Cow;
+use std::cmp::Reverse;
 
 /// A slip is told only if nothing simpler explains the answers as well.
 pub(super) const RANK: u32 = 14;
@@ -19,12 +20,17 @@ const LONGER: (usize, usize) = (20, 1000);
 /// No more steps than these, in all questions, are tried with slips: an estimate has a thousand times as many as a formula.
 const LONG: usize = 300_000;
 
+/// More questions than these tell nothing new about the form of a formula.
+const QUESTIONS: usize = 6;
+
 /// What a way comes by in these questions: at each place the first.
 #[derive(Default)]
 pub(super) struct Passed {
     /// Each with what leads on.
     pub steps: Vec<(Step, &'static str)>,
     met: Met,
+    /// How well each question serves to try slips.
+    serve: Vec<(Reverse<usize>, usize)>,
     /// The number of steps and decisions of the longest.
     longest: usize,
 }
@@ -43,6 +49,7 @@ pub(super) fn passed(
         let walked = way.end();
         length += walked.length;
         passed.longest = passed.longest.max(walked.length);
+        passed.serve.push(walked.serves());
         if length > LONG {
             return None;
         }
@@ -154,7 +161,9 @@ pub(super) fn slips(
             }
         }
     }
-    let questions: Vec<_> = evidence.items.iter().map(|item| &*item.question).collect();
+    let serving = stretches(evidence.items.len(), QUESTIONS, |i| passed.serve[i]);
+    let questions = serving.into_iter().map(|i| &*evidence.items[i].question);
+    let questions: Vec<_> = questions.collect();
     let named: Vec<_> = steps.iter().map(|(step, _)| step).collect();
     let tells = evidence.is_judged() && evidence.tells_much();
     for (at, operation) in operands::operations(explainer, number, &questions, &named, tells) {

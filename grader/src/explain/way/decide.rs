@@ -39,11 +39,12 @@ impl Way {
         });
         let holds = each.contains(&true);
         let holds = among.fold(holds, |_, holds| holds);
-        let at = self.decision(name, place);
-        if each.len() > 1 {
-            self.met.decisions[at].asks = Asks::Several;
-        }
-        self.settle(at, holds, None)
+        let asks = if each.len() > 1 {
+            Asks::Several
+        } else {
+            Asks::One
+        };
+        self.settle(Decision::of(name, place, holds, asks), None)
     }
 
     /// Which of several things has the least number, the first of equal ones.
@@ -51,10 +52,12 @@ impl Way {
     pub fn least(&mut self, name: &'static str, of: &[f64]) -> usize {
         let place = Place::here();
         self.count();
-        if of.len() > 1 && !self.met.choices.iter().any(|one| one.place == place) {
-            let count = of.len();
-            self.met.choices.push(Choice { name, place, count });
-        }
+        let count = of.len();
+        self.meets(|met| {
+            if count > 1 && !met.choices.iter().any(|one| one.place == place) {
+                met.choices.push(Choice { name, place, count });
+            }
+        });
         let slipped = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Choice(at, pick) if *at == place && !of.is_empty() => Some(pick(of)),
             Slip::ChoiceBy { at, of: other } if *at == place => {
@@ -77,35 +80,19 @@ impl Way {
 
     #[track_caller]
     fn decide(&mut self, name: &'static str, holds: bool, of: Option<Comparison>) -> bool {
-        let at = self.decision(name, Place::here());
-        self.settle(at, holds, of)
-    }
-
-    /// The number of the decision at a place, which is new when the way comes by it first.
-    fn decision(&mut self, name: &'static str, place: Place) -> usize {
-        self.count();
-        let at = self.met.decisions.iter().position(|one| one.place == place);
-        at.unwrap_or_else(|| {
-            self.met.decisions.push(Decision {
-                name,
-                place,
-                held: false,
-                failed: false,
-                asks: Asks::One,
-            });
-            self.met.decisions.len() - 1
-        })
+        let asks = if of.is_some() {
+            Asks::Compared
+        } else {
+            Asks::One
+        };
+        self.settle(Decision::of(name, Place::here(), holds, asks), of)
     }
 
     /// What comes of a decision.
-    fn settle(&mut self, at: usize, holds: bool, of: Option<Comparison>) -> bool {
-        let decision = &mut self.met.decisions[at];
-        decision.held |= holds;
-        decision.failed |= !holds;
-        if of.is_some() {
-            decision.asks = Asks::Compared;
-        }
-        let place = decision.place;
+    fn settle(&mut self, decision: Decision, of: Option<Comparison>) -> bool {
+        self.count();
+        let (place, holds) = (decision.place, decision.held);
+        self.meets(|met| decision.add_to(&mut met.decisions));
         let slips = self.slips.iter().flatten();
         slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
     }

@@ -150,7 +150,7 @@ impl Way {
     pub fn made<V>(&mut self, name: &'static str, from: V, made: V) -> V {
         let place = Place::here();
         self.count();
-        Spot { name, place }.add_to(&mut self.met.operations);
+        self.meets(|met| Spot { name, place }.add_to(&mut met.operations));
         let forgets = |slip: &Slip| matches!(slip, Slip::Forgotten(at) if *at == place);
         if self.slips.iter().flatten().any(forgets) {
             from
@@ -164,7 +164,7 @@ impl Way {
     pub fn power(&mut self, name: &'static str, base: f64, exponent: f64) -> f64 {
         let place = Place::here();
         self.count();
-        Spot { name, place }.add_to(&mut self.met.powers);
+        self.meets(|met| Spot { name, place }.add_to(&mut met.powers));
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Power(at, of) if *at == place => Some(of(base, exponent)),
             Slip::Factor { at, of, inside } if *at == place => {
@@ -185,7 +185,7 @@ impl Way {
     pub fn rounds(&mut self, name: &'static str, count: usize) -> Range<usize> {
         let place = Place::here();
         self.count();
-        Spot { name, place }.add_to(&mut self.met.loops);
+        self.meets(|met| Spot { name, place }.add_to(&mut met.loops));
         let slips = self.slips.iter().flatten();
         slips.fold(0..count, |rounds, slip| match slip {
             Slip::Rounds(at, of) if *at == place => of(rounds),
@@ -199,7 +199,7 @@ impl Way {
         let place = Place::here();
         self.count();
         if things.len() > 1 {
-            Spot { name, place }.add_to(&mut self.met.orders);
+            self.meets(|met| Spot { name, place }.add_to(&mut met.orders));
         }
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Ordered(at, of) if *at == place => Some(of),
@@ -217,13 +217,15 @@ impl Way {
     pub fn limit(&mut self, name: &'static str, number: usize) -> usize {
         let place = Place::here();
         self.count();
-        if !self.met.limits.iter().any(|one| one.place == place) {
-            self.met.limits.push(Limit {
-                name,
-                place,
-                number,
-            });
-        }
+        self.meets(|met| {
+            if !met.limits.iter().any(|one| one.place == place) {
+                met.limits.push(Limit {
+                    name,
+                    place,
+                    number,
+                });
+            }
+        });
         let slip = self.slips.iter().flatten().find_map(|slip| match slip {
             Slip::Limit(at, other) if *at == place => Some(*other),
             _ => None,
@@ -267,6 +269,13 @@ impl Way {
         self.count();
     }
 
+    /// Notes what it comes by. Who makes a slip knows that already.
+    fn meets(&mut self, note: impl FnOnce(&mut Met)) {
+        if self.slips[0].is_none() {
+            note(&mut self.met);
+        }
+    }
+
     fn count(&mut self) {
         self.calculated += 1;
         if self.slips[0].is_some() {
@@ -288,6 +297,11 @@ impl Way {
         };
         let mut slips = self.slips.iter().flatten();
         self.is_watched || self.slips[0].is_none() || slips.any(looks_back)
+    }
+
+    /// The number of steps and decisions up to now.
+    pub fn length(&self) -> usize {
+        self.calculated
     }
 
     /// What the way leaves behind.

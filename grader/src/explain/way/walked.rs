@@ -2,6 +2,7 @@
 
 use super::step::Step;
 use crate::explain::slip::Place;
+use std::cmp::Reverse;
 
 /// What is left of a way at its end.
 #[derive(Clone, Debug)]
@@ -14,6 +15,21 @@ pub struct Walked {
     pub met: Met,
     /// The number of steps and decisions, told or not, at all places.
     pub length: usize,
+}
+
+impl Walked {
+    /// How well a question serves to try slips, the best first: it comes by most places, and is short.
+    pub fn serves(&self) -> (Reverse<usize>, usize) {
+        let mut places: Vec<Place> = Vec::new();
+        for step in self.steps.iter().chain(&self.untold) {
+            if !places.contains(&step.place) {
+                places.push(step.place);
+            }
+        }
+        let met = &self.met;
+        let beside = met.decisions.len() + met.operations.len() + met.loops.len();
+        (Reverse(places.len() + beside), self.length)
+    }
 }
 
 /// What a way met beside its steps, in which people go wrong too.
@@ -76,6 +92,34 @@ pub struct Decision {
     pub failed: bool,
     /// What it asks.
     pub asks: Asks,
+}
+
+impl Decision {
+    /// A decision that holds, or does not.
+    pub(super) fn of(name: &'static str, place: Place, holds: bool, asks: Asks) -> Self {
+        Self {
+            name,
+            place,
+            held: holds,
+            failed: !holds,
+            asks,
+        }
+    }
+
+    /// Adds it to those that are known: one at the same place is the same, and asks what it asked last of more than one thing.
+    pub(super) fn add_to(self, all: &mut Vec<Self>) {
+        let mut known = all.iter_mut();
+        match known.find(|one| one.place == self.place) {
+            Some(known) => {
+                known.held |= self.held;
+                known.failed |= self.failed;
+                if self.asks != Asks::One {
+                    known.asks = self.asks;
+                }
+            }
+            None => all.push(self),
+        }
+    }
 }
 
 /// What a decision asks.

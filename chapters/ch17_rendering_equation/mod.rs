@@ -13,6 +13,7 @@ use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
 use raybook::image::Image;
+use raybook::image::denoise::Guide;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
@@ -69,7 +70,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let limit = knobs.depth.map_or_else(String::new, |depth| {
         format!(" The maximum depth of a path is {depth}.")
     });
-    let picture = LazyCell::new(|| denoised(&film, &cornell_box, path));
+    let box_guides = LazyCell::new(|| guides(&film, &cornell_box));
+    let picture = LazyCell::new(|| denoised(&film, &box_guides, &cornell_box, path));
     if stage.wants("picture") {
         let arrived = match path.depth {
             1 => "All light has come straight from the lamp, and the ceiling gets none.",
@@ -98,7 +100,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let tiles = [
             (
                 "light straight from the lamp",
-                denoised(&film.halved(), &cornell_box, Path { depth: 1, ..path }),
+                denoised(
+                    &film.halved(),
+                    &box_guides,
+                    &cornell_box,
+                    Path { depth: 1, ..path },
+                ),
             ),
             (global, picture.clone()),
         ];
@@ -112,12 +119,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
             one rare path makes much brighter than its neighbours is limited."
         );
-        let film = stage.film_of(320, 16, 1.0);
-        stage.figure(
-            "caustic",
-            &caption,
-            &denoised(&film, &View::with_balls()?, path),
-        )?;
+        let (film, balls) = (stage.film_of(320, 16, 1.0), View::with_balls()?);
+        let caustic = denoised(&film, &guides(&film, &balls), &balls, path);
+        stage.figure("caustic", &caption, &caustic)?;
     }
 
     let caption = "600 directions of the hemisphere (blue), and their projections on the surface (orange): uniform on the left, \
@@ -147,11 +151,14 @@ fn photograph(film: &Film, view: &View, path: Path) -> Image {
     radiance.map(|v| v * view.exposure)
 }
 
+/// What the camera sees, which is the same for all paths.
+fn guides(film: &Film, view: &View) -> Vec<Guide> {
+    film.guides(&view.camera, &view.scene)
+}
+
 /// The same picture, denoised by a filter that knows what the camera sees.
-fn denoised(film: &Film, view: &View, path: Path) -> Image {
-    film.denoised(&film.guides(&view.camera, &view.scene), |film| {
-        photograph(film, view, path)
-    })
+fn denoised(film: &Film, guides: &[Guide], view: &View, path: Path) -> Image {
+    film.denoised(guides, |film| photograph(film, view, path))
 }
 
 /// The chapter's binary.

@@ -54,7 +54,7 @@ mod tests {
     #[cfg(unix)]
     #[test]
     fn the_address_of_a_file_keeps_its_slashes() {
-        let path = Path::new("/home/a b/my#rays/100%/x.html");
-        assert_eq!(of_file(path), "file:///home/a%20b/my%23rays/100%25/x.html");
+        let path = Path::new("/a b/my#rays/100%/x.html");
+        assert_eq!(of_file(path), "file:///a%20b/my%23rays/100%25/x.html");
     }
 }

@@ -42,7 +42,9 @@ impl<'a> Functions<'a> {
                 Some((examiner.line(&named.question), case))
             };
             let (lines, cases): (Vec<_>, Vec<_>) = named.iter().filter_map(case).unzip();
-            for reply in asker.ask(&lines[..lines.len().min(1)])? {
+            let (first, others) = lines.split_at(lines.len().min(1));
+            let mut replies = asker.ask(first)?;
+            for reply in &replies {
                 match (&reply.said, reply.said.why_none()) {
                     (Said::Todo(_), _) => {}
                     (_, None) => written.push(name),
@@ -50,7 +52,7 @@ impl<'a> Functions<'a> {
                 }
             }
             if written.last() == Some(&name) {
-                let replies = asker.ask(&lines)?;
+                replies.extend(asker.ask(others)?);
                 let mut both = cases.iter().zip(&replies);
                 if both.any(|(case, reply)| judge(examiner, case, &reply.said) != Mark::Right) {
                     wrong.push(name);

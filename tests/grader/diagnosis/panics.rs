@@ -24,7 +24,7 @@ fn found(
             Said::Answer(answer(case).into())
         },
         printed: Prints {
-            stderr: "Traceback (most recent call last):\n  File \"/home/me/rays/ch04_plane.py\", line 12, in plane_hit\nError".into(),
+            stderr: "Traceback (most recent call last):\n  File \"my-rays/ch04_plane.py\", line 12, in plane_hit\nError".into(),
             ..Prints::default()
         },
     }

@@ -4,9 +4,10 @@ use super::{Alternative, STYLES, alternatives, line};
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_common::snapshot;
+use raybook_grader::Verdict;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner};
-use raybook_grader::further::judge_further;
+use raybook_grader::further::{Row, judge_further};
 use raybook_grader::hidden::Key;
 use raybook_grader::together::Bounds;
 use raybook_workbook::row;
@@ -25,58 +26,65 @@ const EXERCISES: [&str; 5] = [
     "reflected_radiance",
 ];
 
-/// The hidden cases of a student.
-fn hidden(examiner: &dyn Examiner, student: usize) -> Vec<Case> {
-    let key = Key {
-        course: "a course's secret".into(),
-        term: "summer".into(),
-        student: format!("student {student}"),
-    };
-    examiner.cases(&mut key.rng(examiner.name())).cases
+/// A student who is asked an exercise: the questions, each with the golden answer.
+struct Student {
+    examiner: &'static dyn Examiner,
+    cases: Vec<Row>,
+    questions: Vec<Vec<f64>>,
+    /// To the first of the further questions: as many as a program was asked.
+    further: Vec<Row>,
 }
 
-/// What is said of all answers of a program together, to the cases and to further questions as far as they are asked, and how many were.
-fn together(
-    examiner: &dyn Examiner,
-    cases: &[Case],
-    answer: impl Fn(&Case) -> String,
-) -> (Result<(), String>, usize) {
-    let row = |case: &Case| {
+impl Student {
+    fn new(examiner: &'static dyn Examiner, student: usize) -> Self {
+        let key = Key {
+            course: "a course's secret".into(),
+            term: "summer".into(),
+            student: format!("student {student}"),
+        };
+        let cases = examiner.cases(&mut key.rng(examiner.name())).cases;
         let asked = examiner.asked();
-        let question = asked.read_question(&case.question).expect("a question");
-        (
-            question,
-            asked.read_answer(&answer(case)).expect("an answer"),
-        )
-    };
-    let rows: Vec<_> = cases.iter().map(row).collect();
-    let verdict = examiner.compare_together(&rows, Bounds::CHANCE);
-    if verdict.is_err() {
-        return (verdict, 0);
+        let row = |case: &Case| {
+            let question = asked.read_question(&case.question).expect("a question");
+            (
+                question,
+                asked.read_answer(&case.answers[0]).expect("an answer"),
+            )
+        };
+        Self {
+            examiner,
+            cases: cases.iter().map(row).collect(),
+            questions: examiner.further_questions(&cases),
+            further: Vec::new(),
+        }
     }
-    let mut further = 0;
-    let all = examiner.further_questions(cases);
-    if all.is_empty() {
-        return (verdict, 0);
-    }
-    let verdict = judge_further(examiner, &all, rows, |questions| {
-        further += questions.len();
-        let case = |question: &Vec<f64>| further_case(examiner, question);
-        let cases = questions.iter().map(case);
-        Ok::<_, Infallible>(Some(cases.map(|case| row(&case)).collect()))
-    });
-    let Ok(verdict) = verdict;
-    (verdict, further)
-}
 
-/// A further question with its answer.
-fn further_case(examiner: &dyn Examiner, question: &[f64]) -> Case {
-    let question = row::format(examiner.asked().question, question);
-    Case {
-        number: 0,
-        name: String::new(),
-        answers: vec![examiner.answer_line(&question).expect("an answer")],
-        question,
+    /// What is said of all answers of a program together, to the cases and to further questions as far as they are asked, and how many were.
+    fn together(&mut self, answer: impl Fn(&Row) -> Vec<f64>) -> (Verdict, usize) {
+        let Self {
+            examiner,
+            cases,
+            questions,
+            further,
+        } = self;
+        let answered = |row: &Row| (row.0.clone(), answer(row));
+        let rows: Vec<_> = cases.iter().map(answered).collect();
+        let verdict = examiner.compare_together(&rows, Bounds::CHANCE);
+        if verdict.is_err() || questions.is_empty() {
+            return (verdict, 0);
+        }
+        let mut asked = 0;
+        let Ok(verdict) = judge_further(*examiner, questions, rows, |part| {
+            let first = asked;
+            asked += part.len();
+            for question in &questions[further.len().min(asked)..asked] {
+                let golden = examiner.reference(question).expect("the reference answers");
+                further.push((question.clone(), golden));
+            }
+            let rows = further[first..asked].iter().map(answered);
+            Ok::<_, Infallible>(Some(rows.collect()))
+        });
+        (verdict, asked)
     }
 }
 
@@ -84,17 +92,22 @@ fn further_case(examiner: &dyn Examiner, question: &[f64]) -> Case {
 fn programs_that_are_right_by_another_method_are_right_together() {
     for exercise in EXERCISES {
         let examiner = cases::find(exercise).expect("an exercise");
+        let kinds = examiner.asked();
         let others: Vec<&Alternative> = alternatives()
             .filter(|other| other.exercise == exercise)
             .collect();
         let (asked, programs) = (AtomicUsize::new(0), AtomicUsize::new(0));
         (0..10).into_par_iter().for_each(|student| {
-            let cases = hidden(examiner, student);
-            let (golden, _) = together(examiner, &cases, |case| case.answers[0].clone());
+            let mut student = Student::new(examiner, student);
+            let (golden, _) = student.together(|row| row.1.clone());
             assert_eq!(golden, Ok(()), "{exercise}, the reference");
             for other in &others {
-                let answer = |case: &Case| line(&other.answer_to(&case.question), STYLES[0].1);
-                let (verdict, further) = together(examiner, &cases, answer);
+                let answer = |(question, _): &Row| {
+                    let question = row::format(kinds.question, question);
+                    let said = line(&other.answer_to(&question), STYLES[0].1);
+                    kinds.read_answer(&said).expect("an answer")
+                };
+                let (verdict, further) = student.together(answer);
                 asked.fetch_add(further, Ordering::Relaxed);
                 programs.fetch_add(1, Ordering::Relaxed);
                 assert_eq!(verdict, Ok(()), "{exercise}, {}", other.method);
@@ -369,30 +382,28 @@ const BIASES: &[Bias] = &[
 fn small_biases_are_found_as_often_as_the_table_says() {
     const STUDENTS: usize = 20;
     let mut table = format!("{:<20} {:<46} found\n", "exercise", "fault");
-    for Bias {
-        exercise,
-        fault,
-        change,
-    } in BIASES
-    {
+    for biases in BIASES.chunk_by(|a, b| a.exercise == b.exercise) {
+        let exercise = biases[0].exercise;
         let examiner = cases::find(exercise).expect("an exercise");
-        let found = (0..STUDENTS).into_par_iter().filter(|&student| {
-            let cases = hidden(examiner, student);
-            let wrong = |case: &Case| {
-                let asked = examiner.asked();
-                let question = asked.read_question(&case.question).expect("a question");
-                let golden = asked.read_answer(&case.answers[0]).expect("an answer");
-                let [count, points @ ..] = &golden[..] else {
-                    return String::new();
+        let found = (0..STUDENTS).into_par_iter().map(|student| {
+            let mut student = Student::new(examiner, student);
+            let is_found = |bias: &Bias| {
+                let wrong = |(question, golden): &Row| {
+                    let [count, points @ ..] = &golden[..] else {
+                        return Vec::new();
+                    };
+                    let changed = (bias.change)(question, points.to_vec());
+                    [vec![*count], changed].concat()
                 };
-                let changed = change(&question, points.to_vec());
-                let words = std::iter::once(count).chain(&changed);
-                words.map(f64::to_string).collect::<Vec<_>>().join(" ")
+                student.together(wrong).0.is_err()
             };
-            together(examiner, &cases, wrong).0.is_err()
+            biases.iter().map(is_found).collect::<Vec<_>>()
         });
-        let found = 100 * found.count() / STUDENTS;
-        writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");
+        let found: Vec<_> = found.collect();
+        for (i, Bias { fault, .. }) in biases.iter().enumerate() {
+            let found = 100 * found.iter().filter(|found| found[i]).count() / STUDENTS;
+            writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");
+        }
     }
     snapshot("judged_together", &table);
 }

@@ -1,11 +1,11 @@
 //! Workbooks in C++: what is as it was given out is compiled once for the class.
 
-use super::{Course, text};
+use super::{Course, own, text};
 use crate::hostile::there_is;
 use raybook_common::project;
 use raybook_grader::starter::cpp;
 
-const COURSE: &str = "[limits]\nanswer_seconds = 1\nexercise_seconds = 2\n[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
+const LIMITS: &str = "[limits]\nanswer_seconds = 1\nexercise_seconds = 2\n";
 
 /// Hands in the starter, with these files in the place of its own.
 fn workbook(course: &Course, student: &str, changed: &[(&str, &str)]) {
@@ -22,7 +22,8 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
     if !there_is("g++") {
         return;
     }
-    let course = Course::new(COURSE);
+    // With exercises of the instructor's own, which no workbook here answers.
+    let course = own::course(own::ANSWERS, &format!("{LIMITS}{}", own::COURSE));
     let solved = text(&project("tests/solutions/cpp/ch01_rays.cpp"));
     let wrong = solved.replace(
         "ray_at(const Ray& ray, double t) {",
@@ -68,4 +69,7 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
             course.student(student)
         );
     }
+    assert_eq!(course.standing("starter", "lens_power"), "not started");
+    let page = text(&course.path("results/students/starter/index.html"));
+    assert!(page.contains("no file of the hand-in answers"), "{page}");
 }

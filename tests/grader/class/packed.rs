@@ -71,7 +71,7 @@ fn an_autograder_grades_a_submission() {
 
 #[test]
 fn exercises_of_the_instructors_own_are_packed() {
-    let course = own::course(own::ANSWERS);
+    let course = own::class(own::ANSWERS);
     // A program is still one where it is unpacked.
     let toml = text(&course.path("course.toml"));
     let program = format!("#!/usr/bin/env python3\n{}", own::ANSWERS);

@@ -23,7 +23,8 @@ impl Desk {
         link("", "up").expect("a link");
         std::fs::write(self.path("hand-in/data"), "data").expect("a file");
         let before = self.files();
-        let Checked { code, said } = self.check(name, "0.3", &[]);
+        // Once: each further question would only start it anew. `class::hostile` asks all.
+        let Checked { code, said } = self.check(name, "0.3", &["--case", "1"]);
         let after = self.files();
         let mut happened = Vec::new();
         let mut never = |what: bool, how: &str| {

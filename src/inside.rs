@@ -202,3 +202,52 @@ pub mod scene {
         scene.things()
     }
 }
+
+/// Internals of [`denoise`](crate::image::denoise::denoise): what its loops give, compiled as all code is, and for the widest
+/// vectors of the processor.
+pub mod denoise {
+    use crate::image::denoise::alike::{Alike, Compare};
+    use crate::image::denoise::fit::{PLACE, Terms};
+    use crate::image::denoise::{Guide, Spread};
+    use crate::image::{Image, rgb::Rgb};
+    use crate::vectors::{Loops, widest};
+    use std::ops::Range;
+
+    /// How much more the pixels of these rows differ than by noise from those that are a step away.
+    pub fn differences(
+        [picture, variance]: [&Image; 2],
+        by: [isize; 2],
+        rows: &Range<usize>,
+    ) -> [Vec<f32>; 2] {
+        let alike = Alike::new(picture, variance);
+        let compare = || Compare(&alike, by, rows);
+        [compare().run(), widest(compare())].map(|step| step.sums)
+    }
+
+    /// The plane around pixel `p`, fitted to the pixels `around` with their weights: for each pixel, its weighted colour and its weight.
+    pub fn plane(picture: &Image, p: usize, around: &[(u32, f32)]) -> [Vec<(Rgb, f32)>; 2] {
+        let place = |i| [i % picture.width(), i / picture.width()];
+        let terms = |i| Terms::<PLACE>::of(place(i), Guide::default());
+        let terms: Vec<_> = (0..picture.pixels().len()).map(terms).collect();
+        let sums = |run: fn(Spread<'_, PLACE>)| {
+            let mut sums = vec![(Rgb::BLACK, 0.0); terms.len()];
+            run(Spread {
+                pixels: picture.pixels(),
+                terms: &terms,
+                p,
+                around,
+                sums: &mut sums,
+            });
+            sums
+        };
+        [sums(|spread| spread.run()), sums(|spread| widest(spread))]
+    }
+}
+
+/// Internals of [`Even`](crate::sample::even::Even).
+pub mod even {
+    /// A scramble of all binary digits at once.
+    pub fn scramble(bits: u32, key: u32) -> u32 {
+        crate::sample::even::scramble(bits, key)
+    }
+}

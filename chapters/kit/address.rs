@@ -36,25 +36,3 @@ pub fn encoded(text: impl AsRef<[u8]>) -> String {
 pub fn of_bytes(kind: &str, bytes: &[u8]) -> String {
     format!("data:{kind};base64,{}", BASE64_STANDARD.encode(bytes))
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{encoded, of_file};
-    use std::path::Path;
-
-    #[test]
-    fn what_means_something_in_an_address_is_encoded() {
-        assert_eq!(encoded("a-b_c.d"), "a-b_c.d");
-        assert_eq!(
-            encoded("1 000/? #%&\"ä"),
-            "1%20000%2F%3F%20%23%25%26%22%C3%A4"
-        );
-    }
-
-    #[cfg(unix)]
-    #[test]
-    fn the_address_of_a_file_keeps_its_slashes() {
-        let path = Path::new("/a b/my#rays/100%/x.html");
-        assert_eq!(of_file(path), "file:///a%20b/my%23rays/100%25/x.html");
-    }
-}

@@ -86,21 +86,3 @@ fn number(value: f64) -> String {
     let digits = (1.0 + zeros).clamp(1.0, 9.0) as usize;
     format!("{value:.digits$}")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::number;
-
-    #[test]
-    fn a_small_number_is_not_shown_as_zero() {
-        for (value, expected) in [
-            (0.0, "0.0"),
-            (0.0041, "0.0041"),
-            (0.44, "0.44"),
-            (1.0, "1.0"),
-            (283.14, "283.1"),
-        ] {
-            assert_eq!(number(value), expected);
-        }
-    }
-}

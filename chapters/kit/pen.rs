@@ -163,20 +163,3 @@ fn dashes(through: &[(i32, i32)], lengths: &[f64]) -> Vec<Vec<(i32, i32)>> {
 pub fn pale(colour: RGBColor) -> ShapeStyle {
     colour.mix(0.35).stroke_width(16)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::dashes;
-
-    #[test]
-    fn a_dashed_line_is_on_and_off_in_turns_also_around_corners() {
-        let pieces = dashes(&[(0, 0), (10, 0), (10, 10)], &[4.0, 2.0]);
-        let expected = [
-            vec![(0, 0), (4, 0)],
-            vec![(6, 0), (10, 0)],
-            vec![(10, 2), (10, 6)],
-            vec![(10, 8), (10, 10)],
-        ];
-        assert_eq!(pieces, expected, "four pixels on, two off");
-    }
-}

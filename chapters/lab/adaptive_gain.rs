@@ -104,32 +104,3 @@ fn error_at(errors: &[Error], n: f64) -> f64 {
 pub fn spent(done: &Adaptive) -> String {
     format!("{:.1} rays per pixel", done.mean())
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_outcome_is_read_off_the_curves() {
-        let curve = |points: [(usize, f64); 2]| Curve {
-            key: String::new(),
-            title: String::new(),
-            pen: pen(0),
-            errors: points.map(|(n, error)| Error::exactly(n, error)).to_vec(),
-        };
-        let plot = ErrorPlot {
-            title: String::new(),
-            // The errors are 1/n, 0.5/n, and the same 1/8 for any n.
-            curves: vec![
-                curve([(4, 0.25), (32, 0.03125)]),
-                curve([(4, 0.125), (32, 0.015_625)]),
-                curve([(4, 0.125), (32, 0.125)]),
-            ],
-        };
-        assert_eq!(
-            outcome(&plot),
-            "With a budget, 50 % of the rays give the error of 16 rays everywhere. From 8 rays on, the rule by contrast has a \
-             larger error than the same number of rays everywhere."
-        );
-    }
-}

@@ -333,15 +333,3 @@ impl Plot for Portrait {
         csv
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::BARS;
-    use crate::kit::palette::linear;
-
-    #[test]
-    fn bars_of_x_and_of_y_are_told_apart_in_grey_print() {
-        let [dark, light] = BARS.map(|colour| linear(colour).luminance());
-        assert!(light > 2.0 * dark, "{dark} and {light}");
-    }
-}

@@ -155,22 +155,3 @@ impl Plane<'_, '_> {
         Ok(())
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn a_number_stands_where_the_ray_does_not_cover_it() {
-        let cell = |middle: Vec3| Aabb {
-            min: middle - vec3(0.5, 0.5, 0.0),
-            max: middle + vec3(0.5, 0.5, 0.0),
-        };
-        let on_the_ray = ray().at(8.0);
-        for (part, is_left) in [(vec3(-0.4, 0.4, 0.0), false), (vec3(0.4, -0.4, 0.0), true)] {
-            let cell = cell(on_the_ray - part); // whose corner the ray passes
-            let place = place_of_number(&cell, 2, 0.3);
-            assert_eq!(place.x < cell.center().x - 0.3, is_left, "{part}: {place}");
-        }
-    }
-}

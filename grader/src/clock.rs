@@ -26,7 +26,7 @@ pub struct Usage {
 }
 
 /// Measures the time for an answer.
-pub(crate) struct Clock {
+pub struct Clock {
     group: Option<u32>,
     /// When it began, and how long it goes on, on the wall.
     since: Instant,
@@ -44,7 +44,7 @@ pub(crate) struct Clock {
 
 impl Clock {
     /// For the processes of a group; of none if there is none.
-    pub(crate) fn new(group: Option<u32>) -> Self {
+    pub fn new(group: Option<u32>) -> Self {
         Self {
             group,
             since: now(),
@@ -65,12 +65,12 @@ impl Clock {
     }
 
     /// The time on the wall that a busy machine took from the program, in all its time.
-    pub(crate) fn lost(&self) -> Duration {
+    pub fn lost(&self) -> Duration {
         self.lost
     }
 
     /// When to look again whether the time is over.
-    pub(crate) fn next_look(&self, limit: Duration) -> Instant {
+    pub fn next_look(&self, limit: Duration) -> Instant {
         self.since
             + match self.noted {
                 None => limit / LOOK,
@@ -89,7 +89,7 @@ impl Clock {
     }
 
     /// Whether the time is over: `limit`, plus `start` for a program that has not answered anything yet; both are longer on a slow machine.
-    pub(crate) fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
+    pub fn is_over(&mut self, limit: Duration, start: Duration) -> bool {
         if now() < self.next_look(limit) {
             return false;
         }
@@ -161,52 +161,4 @@ pub fn usage(group: u32) -> Option<Usage> {
 #[cfg(not(target_os = "linux"))]
 pub fn usage(_group: u32) -> Option<Usage> {
     None
-}
-
-#[cfg(all(test, target_os = "linux"))]
-mod tests {
-    use super::Clock;
-    use std::os::unix::process::CommandExt;
-    use std::process::Command;
-    use std::sync::atomic::{AtomicBool, Ordering};
-    use std::thread;
-    use std::time::{Duration, Instant};
-
-    /// How much of its time on the wall a shell script lost while it was measured, for a second.
-    fn lost(script: &str) -> f64 {
-        let mut child = Command::new("nice")
-            .args(["-n", "19", "sh", "-c", script])
-            .process_group(0)
-            .spawn()
-            .expect("a shell");
-        thread::sleep(Duration::from_millis(500)); // it has started then
-        let (start, mut clock) = (Instant::now(), Clock::new(Some(child.id())));
-        let limit = Duration::from_millis(100);
-        while !clock.is_over(limit, Duration::ZERO) {
-            thread::sleep(clock.next_look(limit).duration_since(Instant::now()));
-        }
-        let lost = clock.lost().as_secs_f64() / start.elapsed().as_secs_f64();
-        child.kill().expect("it is ended");
-        child.wait().expect("it ends");
-        lost
-    }
-
-    #[test]
-    fn what_a_busy_machine_takes_is_told_from_sleep() {
-        let sleeps = lost("exec sleep 100");
-        assert!(sleeps < 0.5, "of a program that sleeps: {sleeps}");
-        let stop = AtomicBool::new(false);
-        thread::scope(|scope| {
-            for _ in 0..4 * thread::available_parallelism().map_or(1, usize::from) {
-                scope.spawn(|| {
-                    while !stop.load(Ordering::Relaxed) {
-                        std::hint::spin_loop();
-                    }
-                });
-            }
-            let works = lost("while :; do :; done");
-            stop.store(true, Ordering::Relaxed);
-            assert!(works > 0.5, "of one that would work: {works}");
-        });
-    }
 }

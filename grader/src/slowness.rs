@@ -8,10 +8,10 @@ use std::sync::OnceLock;
 const LOOP: &str = "import time\nhash = 0\nfor i in range(1000000):\n    hash = (31 * hash + i) % 1009\nprint(time.process_time())\n";
 
 /// How long the loop takes on the machine that limits are made for, in seconds: one of 2024 takes a third of it.
-const USUAL: f64 = 0.2;
+pub const USUAL: f64 = 0.2;
 
 /// However slow a machine seems, limits are at most this number of times as long.
-const SLOWEST: f64 = 8.0;
+pub const SLOWEST: f64 = 8.0;
 
 /// By what time limits are multiplied on this machine: 1 or more, and 1 where there is no Python. The loop runs at the first call, which
 /// comes when a program seems to be late: who is in time does not wait for it.
@@ -27,36 +27,15 @@ pub(crate) fn known() -> f64 {
 static SLOWNESS: OnceLock<f64> = OnceLock::new();
 
 /// The slowness of a machine on which the loop takes `seconds`.
-fn of(seconds: f64) -> f64 {
+pub fn of(seconds: f64) -> f64 {
     (seconds / USUAL).clamp(1.0, SLOWEST)
 }
 
 /// How long the loop takes here, in seconds of processor time, if it can be measured.
-fn measured() -> Option<f64> {
+pub fn measured() -> Option<f64> {
     let mut python = Command::new("python3");
     let quietly = python.args(["-I", "-S", "-c", LOOP]).stdin(Stdio::null());
     let output = quietly.output().ok()?;
     let seconds: f64 = String::from_utf8(output.stdout).ok()?.trim().parse().ok()?;
     seconds.is_finite().then_some(seconds)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{SLOWEST, USUAL, measured, of};
-
-    #[test]
-    fn only_a_machine_that_is_slower_than_usual_gets_more_time() {
-        assert_eq!(of(0.3 * USUAL), 1.0);
-        assert_eq!(of(USUAL), 1.0);
-        assert_eq!(of(2.5 * USUAL), 2.5);
-        assert_eq!(of(1000.0), SLOWEST);
-    }
-
-    #[test]
-    fn the_loop_takes_some_processor_time() {
-        assert!(
-            measured().is_some_and(|seconds| seconds > 0.0),
-            "these tests need python3"
-        );
-    }
 }

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 
 /// The part that the grader looks at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) struct Stat {
+pub struct Stat {
     /// A letter: `R` is running, `Z` has ended.
     pub state: u8,
     /// The number of its session.
@@ -23,7 +23,8 @@ impl Stat {
         Self::of(&std::fs::read(file).ok()?)
     }
 
-    fn of(text: &[u8]) -> Option<Self> {
+    /// What the text of such a file tells.
+    pub fn of(text: &[u8]) -> Option<Self> {
         // The name before may hold anything, but no other bracket follows it.
         let end = text.iter().rposition(|&byte| byte == b')')?;
         let rest = String::from_utf8_lossy(&text[end + 1..]);
@@ -38,7 +39,7 @@ impl Stat {
     }
 
     /// Whether it has ended, and only its number is left.
-    pub(crate) fn has_ended(&self) -> bool {
+    pub fn has_ended(&self) -> bool {
         matches!(self.state, b'Z' | b'X')
     }
 }
@@ -57,25 +58,4 @@ pub(crate) fn processes() -> impl Iterator<Item = (Pid, PathBuf)> {
 pub(crate) fn is_in_group(process: Pid, group: u32) -> bool {
     let process = nix::unistd::Pid::from_raw(process.as_raw_nonzero().get());
     getpgid(Some(process)).is_ok_and(|of| of.as_raw().unsigned_abs() == group)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::Stat;
-
-    #[test]
-    fn it_is_read_whatever_the_name() {
-        let text = "12 (a) b (c) S 1 13 14 0 -1 4194560 92 0 0 0 1 2 3 4 20 0 7 0 100 1 2";
-        let stat = Stat {
-            state: b'S',
-            session: 14,
-            ticks: 10,
-            threads: 7,
-        };
-        assert_eq!(Stat::of(text.as_bytes()), Some(stat));
-        assert!(!stat.has_ended(), "it sleeps");
-        let ended = Stat::of(text.replace(") S", ") Z").as_bytes());
-        assert!(ended.is_some_and(|stat| stat.has_ended()));
-        assert_eq!(Stat::of(b"12 (cut off"), None);
-    }
 }

@@ -90,7 +90,7 @@ impl TryRng for Even {
 /// digits only to higher places, so each digit of the mirrored number depends only on lower digits and on the key (Laine and
 /// Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
 #[inline]
-fn scramble(bits: u32, key: u32) -> u32 {
+pub(crate) fn scramble(bits: u32, key: u32) -> u32 {
     let mut x = bits.reverse_bits();
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(key);
@@ -98,71 +98,4 @@ fn scramble(bits: u32, key: u32) -> u32 {
     x ^= x.wrapping_mul(0x0552_6c56);
     x ^= x.wrapping_mul(0x53a2_2864);
     x.reverse_bits()
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn numbers_in_different_pieces_stay_in_different_pieces_and_each_piece_goes_everywhere() {
-        for digits in 1..8 {
-            for key in [1, 77, 0xdead_beef] {
-                let piece = |i: u32| scramble(i << (32 - digits), key) >> (32 - digits);
-                let mut pieces: Vec<_> = (0..1 << digits).map(piece).collect();
-                pieces.sort_unstable();
-                assert!(pieces.into_iter().eq(0..1 << digits), "{digits} digits");
-            }
-        }
-        let mean = |bits| {
-            (0..1000)
-                .map(|key| f64::from(scramble(bits, mix(key) as u32)) / 2f64.powi(32))
-                .sum::<f64>()
-                / 1000.0
-        };
-        // The mean of 1000 numbers scatters by 0.009 around one half.
-        assert!(
-            [0, 1 << 31, 123_456_789]
-                .iter()
-                .all(|&bits| (mean(bits) - 0.5).abs() < 0.045)
-        );
-    }
-
-    #[test]
-    fn every_power_of_two_of_the_samples_fills_the_square_of_each_pair() {
-        for (pixel, samples) in [(3, 4_usize), (99, 16), (12_345, 64)] {
-            let numbers = |i| Even::new(mix(pixel), i, 64);
-            let mut all: Vec<_> = (0..samples).map(numbers).collect();
-            for pair in 0..5 {
-                let points: Vec<_> = all.iter_mut().map(Even::pair).collect();
-                let side = samples.isqrt();
-                let mut cells: Vec<_> = points
-                    .iter()
-                    .map(|p| (*p * side as f32).as_uvec2())
-                    .map(|c| c.x + side as u32 * c.y)
-                    .collect();
-                cells.sort_unstable();
-                assert!(
-                    cells.into_iter().eq(0..samples as u32),
-                    "pair {pair} of {samples}"
-                );
-            }
-        }
-    }
-
-    #[test]
-    fn one_pair_says_nothing_about_the_next() {
-        // The mean product of two pairs' deviations from one half: 0 if the pairs are independent.
-        let pixels = 2000_u64;
-        let mut sum = 0.0;
-        for pixel in 0..pixels {
-            for i in 0..16 {
-                let mut numbers = Even::new(mix(pixel), i, 16);
-                let (a, b) = (numbers.pair(), numbers.pair());
-                sum += f64::from((a.x - 0.5) * (b.x - 0.5));
-            }
-        }
-        // Each product scatters by 1/12, and 32000 of them together by 1/12/√32000 = 0.0005.
-        assert!((sum / (16.0 * pixels as f64)).abs() < 0.0025, "{sum}");
-    }
 }

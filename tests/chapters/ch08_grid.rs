@@ -3,6 +3,8 @@
 mod agreement;
 mod cells;
 mod cost;
+mod flatland;
 mod planes;
-use raybook_common::polygon;
 mod walk;
+
+use raybook_common::polygon;

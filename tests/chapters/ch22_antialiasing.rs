@@ -7,12 +7,15 @@ mod distances;
 mod edges;
 mod errors;
 mod filters;
+mod legend;
 mod nets;
 mod patterns;
+mod pens;
 mod pixels;
 mod poisson;
 mod prefixes;
 mod projections;
+mod slide;
 mod spectra;
 
 use glam::Vec2;

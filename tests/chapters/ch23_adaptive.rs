@@ -10,7 +10,10 @@ use raybook::render::film::Film;
 use raybook::render::needs_more::StoppingRule;
 use raybook::render::supersample::supersample;
 use raybook::sample::pattern::find;
-use raybook_chapters::lab::adaptive_gain::rms;
+use raybook_chapters::lab::adaptive_gain::{outcome, rms};
+use raybook_chapters::lab::error_plot::{Curve, ErrorPlot};
+use raybook_chapters::lab::errors::Error;
+use raybook_chapters::lab::pens::pen;
 
 const LIMITS: Limits = Limits { first: 4, most: 64 };
 
@@ -168,4 +171,28 @@ proptest! {
             }
         }
     }
+}
+
+#[test]
+fn the_outcome_is_read_off_the_curves() {
+    let curve = |points: [(usize, f64); 2]| Curve {
+        key: String::new(),
+        title: String::new(),
+        pen: pen(0),
+        errors: points.map(|(n, error)| Error::exactly(n, error)).to_vec(),
+    };
+    let plot = ErrorPlot {
+        title: String::new(),
+        // The errors are 1/n, 0.5/n, and the same 1/8 for any n.
+        curves: vec![
+            curve([(4, 0.25), (32, 0.03125)]),
+            curve([(4, 0.125), (32, 0.015_625)]),
+            curve([(4, 0.125), (32, 0.125)]),
+        ],
+    };
+    assert_eq!(
+        outcome(&plot),
+        "With a budget, 50 % of the rays give the error of 16 rays everywhere. From 8 rays on, the rule by contrast has a \
+         larger error than the same number of rays everywhere."
+    );
 }

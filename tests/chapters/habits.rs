@@ -1,4 +1,4 @@
-//! Habits that every file keeps: what pages promise, who touches files, and what comments call a number.
+//! Habits that every file keeps: what pages promise, who touches files, where tests stand, and what comments call a number.
 
 use raybook_chapters::MEASURED;
 use raybook_common::project;
@@ -108,6 +108,21 @@ fn files_are_touched_in_one_place() {
         }
     }
     assert_eq!(touched.len(), OPENERS.len(), "each still touches files");
+}
+
+/// No library is compiled for tests (`test = false` in its manifest): one inside it would never run.
+#[test]
+fn no_test_stands_in_a_library() {
+    for folder in ["src", "workbook/src", "chapters", "grader/src"] {
+        for (file, text) in rust_files(folder) {
+            for mark in ["#[test]", "cfg(test)", "cfg(all(test"] {
+                assert!(
+                    !text.contains(mark),
+                    "{folder}/{file} has {mark}: tests stand in tests/, and reach what is not public through `inside`"
+                );
+            }
+        }
+    }
 }
 
 /// Words in the place of a parameter's name, but for comparisons ("so many that").

@@ -21,5 +21,6 @@ mod chapters;
 mod course;
 mod golden;
 mod habits;
+mod kit;
 mod knobs;
 mod terminal;

@@ -1,20 +1,30 @@
-//! Grading a class, by the command as an instructor runs it.
+//! Grading a class: its parts, and the command as an instructor runs it.
 
 #![cfg(target_os = "linux")] // elsewhere no stranger's program is started
 
 mod archives;
+mod beside;
 mod course_file;
 mod cpp;
+mod drawn;
 mod exports;
+mod grades;
 mod grading;
 mod hostile;
 mod interrupted;
+mod journal;
 mod own;
 mod packed;
 mod pages;
+mod prebuilt;
+mod reaches;
 mod regrading;
+mod roll;
 mod rust;
 mod similar;
+mod taken;
+mod tokens;
+mod when;
 
 use raybook_common::project;
 use serde_json::Value;

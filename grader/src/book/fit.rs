@@ -5,7 +5,7 @@ pub const WIDEST: usize = 85;
 
 /// The text, its common indent taken away, with every line that is too long broken at a space, in code after a comma if there is one:
 /// comments go on as comments, code two steps further in.
-pub(super) fn fit(text: &str) -> String {
+pub fn fit(text: &str) -> String {
     let lines = || text.lines().filter(|line| !line.trim().is_empty());
     let indent = lines().map(|line| line.len() - line.trim_start().len());
     let indent = indent.min().unwrap_or(0);
@@ -86,68 +86,4 @@ fn last_space(line: &str, from: usize, after: impl Fn(&str) -> bool) -> Option<u
         }
     }
     place
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{WIDEST, fit};
-
-    #[test]
-    fn long_lines_are_broken_and_nothing_is_lost() {
-        let words = "word ".repeat(40);
-        for start in ["    /// ", "    let x = ", "# "] {
-            let text = format!("{start}{words}\n");
-            let fitted = fit(&text);
-            assert!(
-                fitted.lines().all(|line| line.chars().count() <= WIDEST),
-                "every line fits: {fitted}"
-            );
-            assert!(fitted.lines().count() > 2, "it was too long");
-            assert_eq!(fitted.matches("word").count(), 40, "no word is lost");
-        }
-    }
-
-    #[test]
-    fn what_is_left_of_a_comments_line_is_filled_up_from_the_next() {
-        let words = "word ".repeat(20);
-        let text =
-            format!("    /// {words}\n    /// and on.\n    /// - {words}\n    fn f() {{}}\n");
-        let full = format!("/// {}", "word ".repeat(16));
-        let full = full.trim_end();
-        assert_eq!(
-            fit(&text),
-            format!(
-                "{full}\n/// word word word word and on.\n/// - {}\n/// word word word word\nfn f() {{}}\n",
-                "word ".repeat(16).trim_end()
-            )
-        );
-    }
-
-    #[test]
-    fn a_comment_at_the_end_of_a_line_stays_a_comment() {
-        let code = "within: within.min(1.0 - f32::EPSILON / 2.0),";
-        let comment = "// it may have been rounded up to the next whole number";
-        assert_eq!(
-            fit(&format!("    {code} {comment}\n")),
-            format!("{code}\n        {comment}\n")
-        );
-    }
-
-    #[test]
-    fn code_is_broken_after_a_comma() {
-        let parameters = "first: Vec3, second: Vec3, third: Vec3, fourth: f64";
-        assert_eq!(
-            fit(&format!(
-                "def sphere_hit({parameters}, fifth: f64) -> f64 | None:\n"
-            )),
-            format!("def sphere_hit({parameters},\n        fifth: f64) -> f64 | None:\n"),
-            "Python goes on in the next line within parentheses only"
-        );
-    }
-
-    #[test]
-    fn a_string_is_not_broken() {
-        let text = format!("    let x = \"{}\";\n", "word ".repeat(40));
-        assert_eq!(fit(&text), text.trim_start(), "a space in a string counts");
-    }
 }

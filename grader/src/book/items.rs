@@ -13,24 +13,24 @@ pub(super) const PAGE: &str = "library.md";
 
 /// A file of the library.
 #[derive(Debug)]
-pub(super) struct Section {
+pub struct Section {
     /// `src/shape/sphere.rs`.
-    pub(super) file: String,
+    pub file: String,
     /// The first paragraph of its comment.
-    pub(super) says: String,
+    pub says: String,
     /// In the order of the file.
-    pub(super) items: Vec<Item>,
+    pub items: Vec<Item>,
 }
 
 /// A public item: a type, a trait, a function, a method or a constant.
 #[derive(Debug, PartialEq, Eq)]
-pub(super) struct Item {
+pub struct Item {
     /// `Sphere`, `Sphere::new`, and with the name of its file, `sphere::hit`.
-    pub(super) name: String,
+    pub name: String,
     /// Its declaration, on one line; a method's with the name of its type.
-    pub(super) declaration: String,
+    pub declaration: String,
     /// The first paragraph of its comment.
-    pub(super) says: String,
+    pub says: String,
 }
 
 /// The library's files that hold public items or a comment, by their paths.
@@ -53,16 +53,14 @@ pub(super) fn place(name: &str) -> String {
 }
 
 /// What a file holds.
-fn section(file: String, text: &str) -> Section {
+pub fn section(file: String, text: &str) -> Section {
     let comment = text.lines().map_while(|line| line.strip_prefix("//!"));
     let says = first_paragraph(comment);
     let (mut items, mut comment, mut within) = (Vec::new(), Vec::new(), None);
     let mut lines = text.lines();
     while let Some(line) = lines.next() {
         let bare = line.trim_start();
-        if line == "#[cfg(test)]" {
-            break;
-        } else if let Some(words) = bare.strip_prefix("///") {
+        if let Some(words) = bare.strip_prefix("///") {
             comment.push(words);
         } else if let Some(declared) = declared(line, within.as_ref()) {
             let mut declaration = declaration(bare, &mut lines);
@@ -256,41 +254,4 @@ pub(super) fn expand(page: &str, folder: &str, links: &Links) -> Result<String, 
         text.push('\n');
     }
     Ok(text)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Item, section};
-
-    #[test]
-    fn a_file_tells_its_public_items() {
-        let text = "//! Balls.\n//!\n//! More.\n\n/// A ball, as [`Ball::new`] makes it,\n/// and [a page](https://x.y).\n///\n/// More.\n#[derive(Debug)]\npub struct Ball {\n    pub radius: f32,\n}\n\n\
-            impl<T: Fn(f32) -> bool> Ball {\n    /// A [`Ray`](crate::math::Ray).\n    pub const fn new(\n        radius: f32,\n    ) -> Self {\n        radius.into()\n    }\n    fn hidden() {}\n}\n\n\
-            impl Shape for Ball {\n    fn hit(&self) {}\n}\n\npub trait Shape {\n    /// Hits.\n    fn hit(&self) -> bool;\n}\n\n\
-            /// Rolls.\npub fn roll<T>(ball: T) {\n}\n\npub const LARGEST: f32 = 1.0;\n\npub mod x;\n#[cfg(test)]\npub fn test() {}\n";
-        let found = section("src/shape/ball.rs".to_owned(), text);
-        assert_eq!(found.says, "Balls.");
-        let expected = [
-            (
-                "Ball",
-                "pub struct Ball",
-                "A ball, as `Ball::new` makes it, and [a page](https://x.y).",
-            ),
-            (
-                "Ball::new",
-                "pub const fn Ball::new(radius: f32) -> Self",
-                "A `Ray`.",
-            ),
-            ("Shape", "pub trait Shape", ""),
-            ("Shape::hit", "fn Shape::hit(&self) -> bool", "Hits."),
-            ("ball::roll", "pub fn roll<T>(ball: T)", "Rolls."),
-            ("LARGEST", "pub const LARGEST: f32", ""),
-        ];
-        let expected = expected.map(|(name, declaration, says)| Item {
-            name: name.to_owned(),
-            declaration: declaration.to_owned(),
-            says: says.to_owned(),
-        });
-        assert_eq!(found.items, expected);
-    }
 }

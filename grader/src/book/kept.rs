@@ -16,7 +16,7 @@ static PROGRAM: LazyLock<Option<String>> = LazyLock::new(|| {
 ///
 /// # Errors
 /// If `make` fails, or the file cannot be written.
-pub(super) fn or_make(
+pub fn or_make(
     file: &Path,
     make: impl FnOnce() -> Result<String, String>,
 ) -> Result<String, String> {
@@ -32,31 +32,4 @@ pub(super) fn or_make(
     let text = make()?;
     store::write(file, format!("{program}\n{text}").as_bytes()).map_err(|e| e.to_string())?;
     Ok(text)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn what_this_program_made_is_not_made_again_and_anothers_is() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let file = folder.path().join("gallery.md");
-        let made = or_make(&file, || Ok("two\nlines".to_owned()));
-        assert_eq!(made.as_deref(), Ok("two\nlines"));
-        let again = or_make(&file, || Err("it is made again".to_owned()));
-        assert_eq!(again, made);
-
-        store::write(&file, b"another program\nold").expect("it can be written");
-        let new = or_make(&file, || Ok("new".to_owned()));
-        assert_eq!(new.as_deref(), Ok("new"));
-    }
-
-    #[test]
-    fn what_fails_is_not_kept() {
-        let folder = tempfile::tempdir().expect("a folder");
-        let file = folder.path().join("gallery.md");
-        assert!(or_make(&file, || Err("no".to_owned())).is_err());
-        assert!(!file.exists());
-    }
 }

@@ -22,19 +22,19 @@
 //! terms of the glossary become headings.
 
 mod citation;
-mod code;
+pub(crate) mod code;
 mod commands;
 pub(crate) mod directive;
 mod example;
 mod figure;
-mod fit;
+pub(crate) mod fit;
 mod index;
-mod items;
-mod kept;
+pub(crate) mod items;
+pub(crate) mod kept;
 mod listing;
 mod measured;
 mod mistakes;
-mod names;
+pub(crate) mod names;
 mod order;
 mod scene;
 mod terms;

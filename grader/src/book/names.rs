@@ -7,7 +7,7 @@ use clap::Command;
 use std::collections::HashMap;
 
 /// The places in the book to which names lead.
-pub(super) struct Names {
+pub struct Names {
     /// By what a text calls them.
     places: HashMap<String, String>,
     /// The library's items, as code calls them: `Sphere`, `Sphere::new`, `slab::clip` and `clip`.
@@ -29,7 +29,7 @@ struct Documented {
 
 impl Names {
     /// The exercises on these pages, the commands, and the library's files and items. A name that means two items leads nowhere.
-    pub(super) fn of(pages: &[Page], command: &Command) -> Self {
+    pub fn of(pages: &[Page], command: &Command) -> Self {
         let mut places = HashMap::new();
         let mut known: HashMap<&str, Vec<_>> = HashMap::new();
         let mut methods: HashMap<&str, Vec<_>> = HashMap::new();

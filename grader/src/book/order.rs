@@ -50,28 +50,3 @@ pub(super) fn link(chapter: &Chapter) -> maud::Markup {
 fn find(number: u32) -> Option<&'static Chapter> {
     CHAPTERS.iter().find(|chapter| chapter.number() == number)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{CHAPTERS, expand};
-
-    #[test]
-    fn the_course_itself_is_a_path() {
-        let all: Vec<_> = CHAPTERS.iter().map(|c| c.number().to_string()).collect();
-        let path = expand(&all.join(" ")).expect("no lesson needs a later one");
-        assert_eq!(path.matches("<li").count(), CHAPTERS.len());
-    }
-
-    #[test]
-    fn a_path_that_cannot_be_read_is_an_error() {
-        for (path, said) in [
-            ("1 3 12", "chapter 12 (Phong) needs chapter 2"),
-            ("1 2 1", "already"),
-            ("1 26", "`26` is the number of no chapter"),
-            ("1 two", "`two` is the number of no chapter"),
-        ] {
-            let error = expand(path).expect_err("it cannot be read");
-            assert!(error.contains(said), "{error}");
-        }
-    }
-}

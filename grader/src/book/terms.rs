@@ -21,27 +21,3 @@ impl Terms {
         Some((format!("{above}### {line}\n"), definition))
     }
 }
-
-#[cfg(test)]
-mod tests {
-    use super::Terms;
-
-    #[test]
-    fn each_term_is_a_heading_below_its_letter() {
-        let mut terms = Terms::default();
-        let mut heading = |line, below| terms.heading(line, below).map(|(heading, _)| heading);
-        assert_eq!(
-            heading("albedo", ": A share."),
-            Some("## A\n\n### albedo\n".to_owned())
-        );
-        assert_eq!(
-            heading("aliasing", ": A fault."),
-            Some("### aliasing\n".to_owned())
-        );
-        assert_eq!(heading("A paragraph.", ""), None);
-        assert_eq!(
-            heading("BRDF", ": A function."),
-            Some("## B\n\n### BRDF\n".to_owned())
-        );
-    }
-}

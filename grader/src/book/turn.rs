@@ -162,25 +162,3 @@ fn dedented(signature: &str) -> String {
     let lines: Vec<_> = lines.map(|line| line.get(indent..).unwrap_or("")).collect();
     lines.join("\n")
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{fit, python};
-    use crate::cases;
-
-    #[test]
-    fn a_signature_in_python_goes_on_within_parentheses_only() {
-        let mut broken = 0;
-        for examiner in cases::all() {
-            let signature = fit(&python::signature(examiner.asked()));
-            let mut open = 0;
-            for line in signature.lines() {
-                open += line.matches('(').count();
-                open -= line.matches(')').count();
-                broken += usize::from(open > 0);
-                assert!(open > 0 || line.ends_with(':'), "no Python: {signature}");
-            }
-        }
-        assert!(broken > 10, "{broken} lines go on");
-    }
-}

@@ -11,7 +11,7 @@ pub mod hand_in;
 pub mod items;
 pub mod journal;
 pub mod pack;
-pub mod prebuilt;
+pub(crate) mod prebuilt;
 mod programs;
 pub mod reaches;
 pub mod record;

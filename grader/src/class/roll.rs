@@ -305,27 +305,3 @@ fn roll_of(value: &Value) -> Option<Roll> {
         term: value["term"].as_str()?.to_owned(),
     })
 }
-
-#[cfg(test)]
-mod tests {
-    use super::{Written, written_of, written_to_json};
-    use std::collections::BTreeMap;
-
-    #[test]
-    fn points_that_are_read_again_are_the_same() {
-        for asked in 1..=64 {
-            for right in 0..=asked {
-                let points = f64::from(right) / f64::from(asked);
-                let written = Written {
-                    points,
-                    of: 1.0,
-                    exercises: BTreeMap::from([("ray_at".to_owned(), points)]),
-                    days_late: BTreeMap::new(),
-                };
-                let text = written_to_json(&written).to_string();
-                let value = serde_json::from_str(&text).expect("JSON");
-                assert_eq!(written_of(&value), written, "{right} of {asked}");
-            }
-        }
-    }
-}

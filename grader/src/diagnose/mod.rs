@@ -8,11 +8,11 @@
 mod branch;
 mod component;
 mod cover;
-mod evidence;
+pub(crate) mod evidence;
 mod fit;
 pub(crate) mod flaws;
 mod found;
-mod function;
+pub(crate) mod function;
 pub mod misread;
 mod number;
 mod pairs;
@@ -20,7 +20,7 @@ mod panics;
 mod regime;
 mod scalars;
 pub(crate) mod search;
-mod slips;
+pub(crate) mod slips;
 mod special;
 mod spread;
 

@@ -79,32 +79,3 @@ fn sets(text: &str) -> Result<Vec<Vec<Vec2>>, String> {
     }
     Ok(sets)
 }
-
-#[cfg(test)]
-mod tests {
-    use super::sets;
-
-    #[test]
-    fn empty_lines_part_sets_and_commas_or_spaces_numbers() {
-        let read =
-            sets("# mine\n0.5 0.25\n0.1,0.9 # a corner\n\n\n0 0.999999999\n").expect("points");
-        assert_eq!(read.len(), 2, "two sets: {read:?}");
-        assert_eq!((read[0].len(), read[1].len()), (2, 1), "{read:?}");
-        assert!(read[1][0].y < 1.0, "rounded down: {read:?}");
-    }
-
-    #[test]
-    fn a_line_that_is_no_point_is_named() {
-        for (text, number) in [
-            ("0.5 0.5\n0.5", 2),
-            ("1.0 0.5", 1),
-            ("nan 0.5", 1),
-            ("a b", 1),
-            ("0 0 0", 1),
-        ] {
-            let why = sets(text).expect_err("no point");
-            assert!(why.contains(&format!("line {number}:")), "{text}: {why}");
-        }
-        assert!(sets("\n# nothing\n").is_err(), "no points");
-    }
-}

@@ -40,7 +40,7 @@ pub(super) const ROWS: usize = 12;
 pub(super) type Weighted = (u32, f32);
 
 /// How much the pixels of a picture look alike: the weights w(p, q) of [`denoise`](super::denoise).
-pub(super) struct Alike {
+pub(crate) struct Alike {
     width: usize,
     height: usize,
     /// The channels of the picture, one after the other: so several pixels can be compared at once.
@@ -51,7 +51,7 @@ pub(super) struct Alike {
 
 impl Alike {
     /// For a picture and the variance of its pixels.
-    pub(super) fn new(picture: &Image, variance: &Image) -> Self {
+    pub(crate) fn new(picture: &Image, variance: &Image) -> Self {
         let channels = |of: &Image| {
             [0, 1, 2].map(|channel| of.pixels.iter().map(|p| p.channels()[channel]).collect())
         };
@@ -136,7 +136,11 @@ impl Alike {
 }
 
 /// Compares all pixels of some rows with those that are a step away.
-struct Compare<'a>(&'a Alike, [isize; 2], &'a Range<usize>);
+pub(crate) struct Compare<'a>(
+    pub(crate) &'a Alike,
+    pub(crate) [isize; 2],
+    pub(crate) &'a Range<usize>,
+);
 
 impl Loops for Compare<'_> {
     type Answer = Step;
@@ -197,7 +201,7 @@ impl Band {
 }
 
 /// Pixels p, each with the pixel q that is a step away.
-struct Step {
+pub(crate) struct Step {
     /// Columns and rows from p to q.
     by: [isize; 2],
     /// The columns and the rows of the picture from which the step leads to a pixel.
@@ -205,7 +209,7 @@ struct Step {
     /// The rows of p.
     rows: Range<usize>,
     /// For each p, the sum over the rows of its patch of what d² is the mean of.
-    sums: Vec<f32>,
+    pub(crate) sums: Vec<f32>,
 }
 
 impl Step {
@@ -245,28 +249,4 @@ fn patch(i: usize, inside: &Range<usize>) -> Range<usize> {
     let end = (i + PATCH + 1).min(inside.end);
     i.saturating_sub(PATCH)
         .clamp(inside.start, end.max(inside.start))..end.max(inside.start)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Alike, Compare, ROWS};
-    use crate::image::{Image, rgb::Rgb};
-    use crate::math::pcg;
-    use crate::vectors::{Loops, widest};
-    use rand::RngExt;
-
-    /// On a processor without AVX2, both are the same code.
-    #[test]
-    fn wide_vectors_change_no_bit() {
-        let mut rng = pcg::stream(7, 0);
-        let mut noise = || Image::from_fn(37, 2 * ROWS, |_, _| Rgb::gray(rng.random()));
-        let alike = Alike::new(&noise(), &noise());
-        for by in [[0, 0], [3, -2], [-12, 5], [1, 12]] {
-            let compare = || Compare(&alike, by, &(0..2 * ROWS));
-            let [plain, wide] = [compare().run(), widest(compare())]
-                .map(|step| step.sums.iter().map(|v| v.to_bits()).collect::<Vec<_>>());
-            assert!(!plain.is_empty(), "step {by:?} leads to pixels");
-            assert_eq!(plain, wide, "step {by:?}");
-        }
-    }
 }

@@ -13,18 +13,18 @@ const RIDGE: f32 = 1e-3;
 const UNCHANGED: f32 = 1e-6;
 
 /// Number of terms: 1, and two of the place.
-pub(super) const PLACE: usize = 3;
+pub(crate) const PLACE: usize = 3;
 
 /// Number of terms with a guide, which has seven.
 pub(super) const GUIDED: usize = PLACE + 7;
 
 /// What a colour depends on: the first N of 1, the place, and the guide.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Terms<const N: usize>([f32; N]);
+pub(crate) struct Terms<const N: usize>([f32; N]);
 
 impl<const N: usize> Terms<N> {
     /// Of a pixel in this column and row.
-    pub(super) fn of([x, y]: [usize; 2], guide: Guide) -> Self {
+    pub(crate) fn of([x, y]: [usize; 2], guide: Guide) -> Self {
         let [r, g, b] = guide.colour.channels();
         let [nx, ny, nz] = guide.normal.to_array();
         let [x, y] = [x, y].map(|i| i as f32 / WINDOW as f32);

@@ -89,7 +89,7 @@ impl Neighbours {
     }
 
     /// The squared distances from p to the points in p's cell and in `rings` rings of cells around it.
-    fn squares(&self, p: Vec2, rings: i32) -> impl Iterator<Item = f64> {
+    pub fn squares(&self, p: Vec2, rings: i32) -> impl Iterator<Item = f64> {
         let [x, y] = self.cell(p).map(|along| self.around(along, rings));
         let cells = y.flat_map(move |j| x.clone().map(move |i| (j * self.cells + i) as usize));
         let before = move |i: &u32| self.before[*i as usize];
@@ -120,38 +120,5 @@ impl Neighbours {
                 _ => (0..cells).contains(&i).then_some(i),
             }
         })
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::{Neighbours, Space};
-    use crate::math::pcg;
-    use glam::vec2;
-    use rand::RngExt;
-
-    #[test]
-    fn no_point_is_looked_at_twice_and_none_near_is_missed() {
-        let mut rng = pcg::stream(1, 1);
-        for space in [Space::Torus, Space::Square] {
-            for cells in 1..12 {
-                let reach = 1.0 / (f64::from(cells) + 0.01);
-                let mut near = Neighbours::new(reach, space);
-                (0..40).for_each(|_| near.push(vec2(rng.random(), rng.random())));
-                for rings in 1..2 * cells {
-                    let p = vec2(rng.random(), rng.random());
-                    let mut found: Vec<_> = near.squares(p, rings).collect();
-                    assert!(found.len() <= 40, "{cells} cells, {rings} rings: each once");
-                    let all = near.points().iter();
-                    let mut all: Vec<_> = all.map(|q| space.distance_squared(p, *q)).collect();
-                    let sure = (f64::from(rings) / f64::from(cells)).powi(2);
-                    for list in [&mut found, &mut all] {
-                        list.retain(|square| *square < sure);
-                        list.sort_by(f64::total_cmp);
-                    }
-                    assert_eq!(found, all, "{space:?}: {cells} cells, {rings} rings");
-                }
-            }
-        }
     }
 }

@@ -2,10 +2,15 @@
 
 use super::{Course, RIGHT, text, visible_only, wrong_sign};
 use csv::ReaderBuilder;
+use raybook_grader::class::export;
+use raybook_grader::class::grades::Known;
+use raybook_grader::class::roll::{Class, Roll};
+use raybook_grader::class::similar::Pair;
 use raybook_grader::class::when::Timestamp;
 use roxmltree::Document;
 use serde_json::Value;
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// A name that means something to a browser, a table, a page and a terminal.
 pub(super) const NAME: &str = "=cmd|' <b>\"x\", & y?#\u{202e}%41";
@@ -330,4 +335,29 @@ fn grade(course: &Course) {
     );
     let size = text(&course.path("results/students/wrong/grade.json")).len();
     assert!(size < 10_000, "{size} bytes");
+}
+
+#[test]
+fn a_field_ends_where_it_ends_in_every_reader() {
+    let pairs = [["a,b\\", "x\\\",100,\""], ["C:\\x", "=1"], ["\\\\,", "y"]];
+    let pair = |names: [&str; 2]| Pair {
+        students: names.map(str::to_owned),
+        share: 0.5,
+    };
+    let course = raybook_grader::class::course::Course::read(
+        Path::new("course.toml"),
+        "[[chapter]]\nchapter = 'ch01'\n",
+    );
+    let course = course.expect("it is right");
+    let roll = Roll {
+        pairs: pairs.map(pair).into(),
+        ..Roll::default()
+    };
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let class = Class::of(&course, &roll, &Known::new());
+    export::write(folder.path(), &class).expect("it is written");
+    assert_eq!(
+        text(&folder.path().join("similar.csv")),
+        "student,other student,alike\r\n\"a,b/\",\"x/\"\",100,\"\"\",0.50\r\nC:\\x,'=1,0.50\r\n\"\\\\,\",y,0.50\r\n"
+    );
 }

@@ -1,6 +1,8 @@
 //! Points of one's own from a file, and several seeds.
 
 use super::samplers;
+use raybook_chapters::lab::subject::Subject;
+use raybook_grader::patterns::file;
 use std::fs;
 
 /// Small figures.
@@ -94,4 +96,36 @@ fn two_seeds_are_two_curves_and_the_same_seed_is_the_same_page() {
         let name = format!("jittered-seed-{seed},");
         assert_eq!(both.matches(&name).count(), 25, "the points of seed {seed}");
     }
+}
+
+/// The points of a file, for figures of one and of two points.
+fn points(text: &str) -> Result<Subject, String> {
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let file = folder.path().join("points.txt");
+    fs::write(&file, text).expect("a temporary file");
+    file::read(&file, [vec![1], vec![2]]).map_err(|why| why.to_string())
+}
+
+#[test]
+fn empty_lines_part_sets_and_commas_or_spaces_numbers() {
+    let read = points("# mine\n0.5 0.25\n0.1,0.9 # a corner\n\n\n0 0.999999999\n").expect("points");
+    let sets = [1, 2].map(|n| read.realisations(n, 9));
+    assert_eq!(sets, [2, 1], "two sets, of which one has a second point");
+    let last = read.points(1, 1)[0];
+    assert!(last.y < 1.0, "rounded down: {last}");
+}
+
+#[test]
+fn a_line_that_is_no_point_is_named() {
+    for (text, number) in [
+        ("0.5 0.5\n0.5", 2),
+        ("1.0 0.5", 1),
+        ("nan 0.5", 1),
+        ("a b", 1),
+        ("0 0 0", 1),
+    ] {
+        let why = points(text).expect_err("no point");
+        assert!(why.contains(&format!("line {number}:")), "{text}: {why}");
+    }
+    assert!(points("\n# nothing\n").is_err(), "no points");
 }

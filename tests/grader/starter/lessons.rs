@@ -2,6 +2,7 @@
 
 use crate::common::command::raybook;
 use raybook_grader::cases;
+use raybook_grader::inside::starter::plain;
 use raybook_grader::starter::lesson;
 use raybook_workbook::curriculum::CHAPTERS;
 use std::fs;
@@ -93,4 +94,26 @@ fn the_book_is_opened_where_it_is_built_and_else_the_lesson_is_named() {
         assert!(code == 0 && said.contains(&address), "{code} {said}");
     }
     assert!(Path::new(&folder.join("lessons/ch25_capstone.md")).is_file());
+}
+
+#[test]
+fn links_to_lessons_stay_and_others_are_only_their_text() {
+    for (line, expected) in [
+        (
+            "an [**interval**](glossary.md#interval) of",
+            "an **interval** of",
+        ),
+        (
+            "see [the plane](ch04_plane.md).",
+            "see [the plane](ch04_plane.md).",
+        ),
+        ("$f(x)$ and [a](b.md), [c](d.md)", "$f(x)$ and a, c"),
+        ("[1, 2](", "[1, 2]("),
+        (
+            "$\\origin + t\\,\\direction$",
+            "${\\mathbf o} + t\\,{\\mathbf d}$",
+        ),
+    ] {
+        assert_eq!(plain(line), expected);
+    }
 }

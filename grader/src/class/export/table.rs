@@ -230,21 +230,3 @@ pub fn similar(class: &Class<'_>) -> String {
     }
     table
 }
-
-#[cfg(test)]
-mod tests {
-    use super::row;
-
-    #[test]
-    fn a_field_ends_where_it_ends_in_every_reader() {
-        let mut table = String::new();
-        row(
-            &mut table,
-            ["a,b\\", "x\\\",100,\"", "C:\\x", "=1", "\\\\,"],
-        );
-        assert_eq!(
-            table,
-            "\"a,b/\",\"x/\"\",100,\"\"\",C:\\x,'=1,\"\\\\,\"\r\n"
-        );
-    }
-}

@@ -83,27 +83,3 @@ fn runs(kind: &fs::Metadata) -> bool {
 fn runs(_: &fs::Metadata) -> bool {
     false
 }
-
-#[cfg(test)]
-mod tests {
-    use super::is_below;
-    use std::path::Path;
-
-    #[test]
-    fn a_folder_is_packed_under_a_name_of_its_own() {
-        for (path, packed) in [
-            ("own", true),
-            ("exercises/lenses", true),
-            ("", false),
-            (".", false),
-            ("..", false),
-            ("../own", false),
-            ("own/../..", false),
-            ("/own", false),
-            ("raybook", false),
-            (".github/workflows", false),
-        ] {
-            assert_eq!(is_below(Path::new(path)), packed, "{path}");
-        }
-    }
-}

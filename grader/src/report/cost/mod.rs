@@ -1,6 +1,6 @@
 //! What a search costs: the steps of the student's function, beside the reference's and linear search, as scenes grow.
 
-mod searches;
+pub(crate) mod searches;
 
 use crate::ask::{Asker, Said};
 use crate::examine::Examiner;
@@ -13,7 +13,7 @@ use searches::{Over, SEARCHES, Steps};
 use std::io;
 
 /// The numbers of triangles in the scenes.
-const SIZES: [u32; 6] = [8, 16, 32, 64, 128, 256];
+pub(crate) const SIZES: [u32; 6] = [8, 16, 32, 64, 128, 256];
 /// Rays through each scene.
 const RAYS: usize = 12;
 
@@ -78,7 +78,7 @@ pub fn measure(asker: &mut Asker<'_>, examiner: &dyn Examiner) -> io::Result<Opt
 
 /// A scene of this size: triangles strewn in a cube, the smaller the more there are, so that about as much of what a ray sees is
 /// covered.
-fn scene(size: u32, rng: &mut Pcg) -> Vec<[Vec3; 3]> {
+pub(crate) fn scene(size: u32, rng: &mut Pcg) -> Vec<[Vec3; 3]> {
     let extent = 3.0 / (size as f32).sqrt();
     let triangle = |_| {
         let center = sample::point(rng, 2.0);
@@ -88,7 +88,7 @@ fn scene(size: u32, rng: &mut Pcg) -> Vec<[Vec3; 3]> {
 }
 
 /// A ray through the scene from outside.
-fn ray(rng: &mut Pcg) -> Ray {
+pub(crate) fn ray(rng: &mut Pcg) -> Ray {
     let origin = 5.0 * *sample::direction(rng);
     Ray::new(
         origin,
@@ -97,7 +97,7 @@ fn ray(rng: &mut Pcg) -> Ray {
 }
 
 /// The exponent a of steps that grow like N^a: the slope of the line through their logarithms, by least squares.
-fn exponent(steps: &[f64]) -> f64 {
+pub(crate) fn exponent(steps: &[f64]) -> f64 {
     let points: Vec<_> = points(steps);
     let middle = points.iter().copied().sum::<DVec2>() / points.len() as f64;
     let apart = points.iter().map(|p| *p - middle);
@@ -172,58 +172,5 @@ impl Cost {
             }
         }
         plot
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::searches::{Over, SEARCHES};
-    use super::{Cost, RAYS, SIZES, exponent, ray, scene};
-    use crate::cases;
-    use raybook::math::pcg;
-
-    #[test]
-    fn the_references_steps_grow_more_slowly_than_the_scene() {
-        for search in &SEARCHES {
-            let asked = cases::find(search.exercise).expect("an exercise").asked();
-            let mut rng = pcg::stream(17, 0);
-            let mean = |size| {
-                let Over { question, steps } = (search.over)(&scene(size, &mut rng));
-                let rays = (0..RAYS).map(|_| ray(&mut rng));
-                let steps = rays.map(|ray| steps(ray, &(asked.call)(&question(ray))));
-                steps.sum::<f64>() / RAYS as f64
-            };
-            let steps = SIZES.map(mean);
-            let power = exponent(&steps);
-            assert!(
-                (0.0..0.8).contains(&power) && steps[0] >= 1.0,
-                "{}: {steps:?} grow like N^{power}",
-                search.exercise
-            );
-        }
-    }
-
-    #[test]
-    fn the_exponent_is_that_of_a_power() {
-        for a in [0.0, 0.5, 1.0] {
-            let steps: Vec<_> = SIZES
-                .iter()
-                .map(|size| 7.0 * f64::from(*size).powf(a))
-                .collect();
-            assert!((exponent(&steps) - a).abs() < 1e-9, "N^{a}");
-        }
-        let [linear, half] =
-            [1.0, 0.5].map(|a| SIZES.iter().map(|n| f64::from(*n).powf(a)).collect());
-        let cost = Cost {
-            exercise: "bvh_closest",
-            step: "a box",
-            yours: linear,
-            reference: half,
-        };
-        assert!(
-            cost.words()
-                .contains("grow like N^1.00, the reference's like N^0.50")
-        );
-        assert!(cost.plot().svg().contains("linear search"));
     }
 }

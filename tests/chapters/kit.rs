@@ -1,0 +1,6 @@
+//! What every chapter draws with.
+
+mod address;
+mod bars;
+mod figure;
+mod pen;

@@ -1,0 +1,4 @@
+//! What a search costs.
+
+mod growth;
+mod searches;

@@ -1,0 +1,4 @@
+//! The server for the browser of this machine.
+
+mod server;
+mod until;

@@ -124,10 +124,11 @@ impl Shape for Sphere {
         let position = self.center + self.radius * *normal;
         let error = ROUNDING * (self.center.abs().max_element() + self.radius);
         // At the latitude φ, u grows by 1 over 2πr cos φ metres to the east, and v by 1 over πr metres to the north.
-        let cosine = (1.0 - normal.y * normal.y).max(f32::EPSILON).sqrt();
+        let cosine = (1.0 - normal.y * normal.y).max(0.0).sqrt();
+        let area = 2.0 * PI * PI * cosine.max(f32::EPSILON.sqrt());
         Surface {
             texture: longitude_latitude(normal, cosine),
-            texture_per_metre: (2.0 * PI * PI * cosine).sqrt().recip() / self.radius,
+            texture_per_metre: area.sqrt().recip() / self.radius,
             ..Surface::flat(position, error, normal)
         }
     }

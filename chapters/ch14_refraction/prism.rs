@@ -148,12 +148,11 @@ fn beams(glass: Sellmeier, apex: f32, sides: &[Side; 3]) -> Beams {
         power: 1.0,
         outside: Some(0),
     };
-    let mut beams = Vec::new();
+    let mut beams = vec![(start, Rgb::WHITE)];
     for (wavelength, colour) in colours {
         let index = glass.index(wavelength);
         let colour = Rgb::new(colour.r / white.r, colour.g / white.g, colour.b / white.b);
         let mut open = vec![(start, 0)];
-        beams.push((start, colour));
         while let Some((strip, side)) = open.pop() {
             for next in strip.splits(sides[side], index) {
                 let Some(mut next) = next.filter(|next| next.power > FAINT) else {

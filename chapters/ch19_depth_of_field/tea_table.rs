@@ -11,6 +11,7 @@ use raybook::material::phong::Phong;
 use raybook::material::polished::Polished;
 use raybook::material::texture::Texture;
 use raybook::math::ray::Ray;
+use raybook::math::whole::below;
 use raybook::scene::noise::{self, hash, rise};
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::cuboid::Cuboid;
@@ -147,7 +148,7 @@ impl Texture for Gingham {
     fn at(&self, at: &Surface) -> Phong {
         /// Width of a stripe, in metres.
         const STRIPE: f32 = 0.045;
-        let dyed = |v: f32| f32::from((v / STRIPE).rem_euclid(2.0) < 1.0);
+        let dyed = |v: f32| f32::from(below(v / STRIPE) & 1 == 0);
         let share = 0.5 * (dyed(at.position.x) + dyed(at.position.z));
         let colour = Rgb::new(0.80, 0.78, 0.73).lerp(Rgb::new(0.20, 0.33, 0.50), share);
         Phong {

@@ -2,6 +2,7 @@
 
 use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
+use raybook::material::checkered::is_odd;
 use std::f32::consts::PI;
 
 /// The colour at a place on the film, in [0, 1]² from the top left, with `pixels` pixels along each side.
@@ -28,10 +29,10 @@ pub fn checkered_plane(place: Vec2, _pixels: f32) -> Rgb {
         return Rgb::new(0.62, 0.78, 0.92);
     }
     let on_plane = vec2((place.x - 0.5) / below, 1.0 / below) * 2.4;
-    if on_plane.floor().element_sum().rem_euclid(2.0) == 0.0 {
-        Rgb::new(0.86, 0.84, 0.78)
-    } else {
+    if is_odd(on_plane) {
         Rgb::new(0.07, 0.09, 0.14)
+    } else {
+        Rgb::new(0.86, 0.84, 0.78)
     }
 }
 

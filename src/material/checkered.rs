@@ -10,7 +10,9 @@
 //! ```
 
 use crate::material::{Material, texture::Texture};
+use crate::math::whole::below;
 use crate::shape::Surface;
+use glam::Vec2;
 
 /// A chess board of two materials, whose squares have the side 1 in texture coordinates.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -20,11 +22,15 @@ impl<M: Material + Copy> Texture for Checkered<M> {
     type Material = M;
 
     fn at(&self, surface: &Surface) -> M {
-        let square = surface.texture.floor().as_ivec2();
-        if (square.x ^ square.y) & 1 == 0 {
-            self.0
-        } else {
+        if is_odd(surface.texture) {
             self.1
+        } else {
+            self.0
         }
     }
+}
+
+/// Whether a place of a chess board, whose squares have the side 1, is in a square of the second material.
+pub fn is_odd(place: Vec2) -> bool {
+    (below(place.x) ^ below(place.y)) & 1 != 0
 }

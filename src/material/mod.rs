@@ -38,6 +38,7 @@ use crate::light::LightSample;
 use crate::math::{dir3::Dir3, ray::Ray};
 use crate::sample::hemisphere::{cosine_hemisphere, cosine_pdf};
 use crate::shape::Surface;
+use arrayvec::ArrayVec;
 use glam::Vec2;
 use glass::Medium;
 
@@ -144,16 +145,15 @@ const LOBES: usize = 4;
 /// Where one ray becomes several, `see` gets the share of each ray, so that it can leave out rays with a small share. A single
 /// ray has the share 1: a chain of rays does not grow into a tree, however long it is.
 pub fn beyond(material: &dyn Material, at: &Surface, view: Dir3, see: &mut See) -> Rgb {
-    let (mut lobes, mut count) = ([None; LOBES], 0);
+    let mut lobes = ArrayVec::<Delta, LOBES>::new();
     material.delta_lobes(at, view, &mut |lobe| {
-        if let Some(place) = lobes.get_mut(count) {
-            *place = Some(lobe);
+        if !lobes.is_full() {
+            lobes.push(lobe);
         }
-        count += 1;
     });
     let mut radiance = Rgb::BLACK;
-    for lobe in lobes.into_iter().flatten() {
-        let share = if count > 1 {
+    for lobe in &lobes {
+        let share = if lobes.len() > 1 {
             lobe.share.max_channel()
         } else {
             1.0

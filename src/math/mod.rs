@@ -12,6 +12,7 @@
 //! ```
 
 pub mod aabb;
+pub mod angle;
 pub mod basis;
 pub mod dir3;
 pub mod domain;
@@ -21,3 +22,4 @@ pub mod piecewise;
 pub mod quadratic;
 pub mod ray;
 pub mod slab;
+pub mod whole;

@@ -27,8 +27,8 @@ use std::convert::Infallible;
 pub struct Even {
     /// The pixel's key, from which all numbers of the pixel follow.
     pixel: u64,
-    /// The sample's number, from 0.
-    index: u32,
+    /// The sample's number, from 0, with its bits mirrored.
+    mirrored: u32,
     /// A mask of the binary digits that indices have: a power of two minus 1.
     digits: u32,
     /// Number of pairs made.
@@ -43,7 +43,7 @@ impl Even {
     pub fn new(pixel: u64, index: usize, samples: usize) -> Self {
         Self {
             pixel,
-            index: index as u32,
+            mirrored: (index as u32).reverse_bits(),
             digits: samples.next_power_of_two() as u32 - 1,
             pairs: 0,
             second: None,
@@ -72,7 +72,7 @@ impl TryRng for Even {
         let (order, keys) = (key(0), key(1));
         self.pairs += 1;
         // The mask keeps the index below the power of two: the samples are a permutation of this part of the sequence.
-        let [x, y] = sobol(scramble(self.index, order as u32) & self.digits);
+        let [x, y] = sobol(hash(self.mirrored, order as u32).reverse_bits() & self.digits);
         self.second = Some(scramble(y, (keys >> 32) as u32));
         Ok(scramble(x, keys as u32))
     }
@@ -91,11 +91,15 @@ impl TryRng for Even {
 /// Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
 #[inline]
 pub(crate) fn scramble(bits: u32, key: u32) -> u32 {
-    let mut x = bits.reverse_bits();
+    hash(bits.reverse_bits(), key).reverse_bits()
+}
+
+/// [`scramble`], of a mirrored number and with a mirrored result.
+#[inline]
+fn hash(mut x: u32, key: u32) -> u32 {
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(key);
     x = x.wrapping_mul((key >> 16) | 1);
     x ^= x.wrapping_mul(0x0552_6c56);
-    x ^= x.wrapping_mul(0x53a2_2864);
-    x.reverse_bits()
+    x ^ x.wrapping_mul(0x53a2_2864)
 }

@@ -9,6 +9,7 @@
 //! assert!((noise(vec2(3.0, 7.0)) - noise(vec2(3.01, 7.0))).abs() < 0.01);
 //! ```
 
+use crate::math::whole::below;
 use glam::Vec2;
 
 /// A smooth random function of the plane, in [0, 1]: random at whole coordinates, blended between them
@@ -35,12 +36,6 @@ pub fn layers(p: Vec2, count: u32) -> f32 {
         place = FINER.rotate(place) + 17.3;
     }
     sum / weight
-}
-
-/// The largest whole number that is not above v. It is faster than `f32::floor`, which is a function call.
-fn below(v: f32) -> i32 {
-    let toward_zero = v as i32;
-    toward_zero.wrapping_sub(i32::from(v < toward_zero as f32))
 }
 
 /// A random number in [0, 1] for a pair of whole numbers.

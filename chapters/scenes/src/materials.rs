@@ -6,6 +6,7 @@ use crate::values::colour;
 use crate::wrong::{TextError, no_such, shown};
 use raybook::image::{mip::MipMap, rgb::Rgb};
 use raybook::material::Material;
+use raybook::material::checkered::is_odd;
 use raybook::material::conductor::{Conductor, Metal};
 use raybook::material::ggx::Ggx;
 use raybook::material::glass::{Glass, Medium};
@@ -250,8 +251,7 @@ impl Paint {
                 colour.map(|v| v.clamp(0.0, 1.0))
             }
             Self::Squares { colours, side } => {
-                let odd = (surface.texture / *side).floor().element_sum() % 2.0 != 0.0;
-                colours[usize::from(odd)]
+                colours[usize::from(is_odd(surface.texture / *side))]
             }
         }
     }

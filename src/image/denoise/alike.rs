@@ -189,10 +189,14 @@ impl Band {
         let empty = |x: &usize| ([*x, y], Vec::with_capacity(self.steps.len()));
         let mut all: Vec<_> = columns.iter().map(empty).collect();
         for step in &self.steps {
-            for (p, around) in &mut all {
-                if let Some(weight) = step.weight(*p) {
-                    let [x, y] = step.from(*p);
-                    around.push(((y * self.width + x) as u32, weight));
+            let Some(row) = step.row(y) else {
+                continue;
+            };
+            let q =
+                (y * self.width).wrapping_add_signed(step.by[1] * self.width as isize + step.by[0]);
+            for ([x, _], around) in &mut all {
+                if let Some(weight) = row.weight(*x) {
+                    around.push((q.wrapping_add(*x) as u32, weight));
                 }
             }
         }
@@ -213,28 +217,40 @@ pub(crate) struct Step {
 }
 
 impl Step {
-    /// The weight of the q of this p, unless it is outside the picture, or the weight is too small to count.
-    fn weight(&self, [x, y]: [usize; 2]) -> Option<f32> {
+    /// The p of row y, unless no q of theirs is in the picture.
+    fn row(&self, y: usize) -> Option<Row<'_>> {
         let [columns, rows] = &self.inside;
-        if !columns.contains(&x) || !self.rows.contains(&y) {
+        self.rows.contains(&y).then(|| Row {
+            columns,
+            sums: &self.sums[(y - self.rows.start) * columns.len()..][..columns.len()],
+            down: patch(y, rows).len(),
+        })
+    }
+}
+
+/// The p of a row of a step.
+struct Row<'a> {
+    /// The columns from which the step leads to a pixel.
+    columns: &'a Range<usize>,
+    /// The step's sums of these columns.
+    sums: &'a [f32],
+    /// The number of rows of a patch.
+    down: usize,
+}
+
+impl Row<'_> {
+    /// The weight of the q of the p in column x, unless it is outside the picture, or the weight is too small to count.
+    fn weight(&self, x: usize) -> Option<f32> {
+        if !self.columns.contains(&x) {
             return None;
         }
-        let (across, down) = (patch(x, columns), patch(y, rows));
-        let row = &self.sums[(y - self.rows.start) * columns.len()..];
-        let row = &row[across.start - columns.start..][..across.len()];
+        let across = patch(x, self.columns);
+        let row = &self.sums[across.start - self.columns.start..][..across.len()];
         // Most patches are whole: a loop of a fixed number of rounds is none.
         let whole: Result<&[f32; 2 * PATCH + 1], _> = row.try_into();
         let sum: f32 = whole.map_or_else(|_| row.iter().sum(), |whole| whole.iter().sum());
-        let squared = (sum / (across.len() * down.len()) as f32).max(0.0);
+        let squared = (sum / (across.len() * self.down) as f32).max(0.0);
         (squared < MOST).then(|| (-squared).exp())
-    }
-
-    /// The q of this p.
-    fn from(&self, [x, y]: [usize; 2]) -> [usize; 2] {
-        [
-            x.wrapping_add_signed(self.by[0]),
-            y.wrapping_add_signed(self.by[1]),
-        ]
     }
 }
 

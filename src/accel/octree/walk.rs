@@ -61,7 +61,12 @@ impl Open {
     fn cell_of(&self, node: usize) -> Aabb {
         let child = node - self.children as usize;
         let face = |above: usize| {
-            Vec3::from_array([0, 1, 2].map(|axis| self.planes[axis][(child >> axis & 1) + above]))
+            let [x, y, z] = &self.planes;
+            Vec3::new(
+                x[(child & 1) + above],
+                y[(child >> 1 & 1) + above],
+                z[(child >> 2 & 1) + above],
+            )
         };
         Aabb {
             min: face(0),
@@ -118,11 +123,15 @@ impl<'a> Walk<'a> {
             let center = cell.center();
             // 0·∞: the ray runs in this plane. Comparisons with the NaN are false, so the ray is in both halves.
             let later = |t: f32| if t > enter { t } else { enter };
-            let [x, y, z] = self.earlier(center).to_array().map(later);
+            let sooner = |t: f32| if t < leave { t } else { leave };
+            // One by one, for `map` of an array may remain a function call. Children 0 to 3 are before the plane along z, children
+            // 4 to 7 behind it.
+            let planes = self.earlier(center);
+            let (x, y, z) = (later(planes.x), later(planes.y), later(planes.z));
             let near = Vec4::new(enter, x, y, if x > y { x } else { y });
             let enters = [near, near.max(Vec4::splat(z))];
-            let sooner = |t: f32| if t < leave { t } else { leave };
-            let [x, y, z] = self.later(center).to_array().map(sooner);
+            let planes = self.later(center);
+            let (x, y, z) = (sooner(planes.x), sooner(planes.y), sooner(planes.z));
             let far = Vec4::new(if x < y { x } else { y }, y, x, leave);
             let leaves = [far.min(Vec4::splat(z)), far];
             let met = |half: usize| enters[half].cmple(leaves[half]).bitmask() as u8;
@@ -131,9 +140,13 @@ impl<'a> Walk<'a> {
             self.open.push(Open {
                 children,
                 waiting,
-                planes: [0, 1, 2].map(|axis| [min[axis], center[axis], max[axis]]),
-                enters: enters.map(|half| half.to_array()),
-                leaves: leaves.map(|half| half.to_array()),
+                planes: [
+                    [min.x, center.x, max.x],
+                    [min.y, center.y, max.y],
+                    [min.z, center.z, max.z],
+                ],
+                enters: [enters[0].to_array(), enters[1].to_array()],
+                leaves: [leaves[0].to_array(), leaves[1].to_array()],
             });
         }
     }

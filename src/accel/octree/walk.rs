@@ -5,7 +5,7 @@ use crate::accel::octree::build::Limits;
 use crate::accel::octree::tree::{Kind, Tree};
 use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
 use arrayvec::ArrayVec;
-use glam::Vec3;
+use glam::{Vec3, Vec4};
 
 /// k: a cell is left later than computed, as if its plane were k·u·(largest |b| of the tree + |o|) metres away, u = 2⁻²⁴, and the
 /// next cell is entered as much earlier. A distance (b − o)·(1/d) has three roundings of u, and a shape's test has a few more.
@@ -33,11 +33,10 @@ pub struct Walk<'a> {
     open: ArrayVec<Open, { Limits::DEEPEST as usize }>,
 }
 
-/// A node that the ray enters, its cell, and the distances at which the ray enters and leaves it.
+/// A node that the ray enters, and the distances at which the ray enters and leaves it.
 #[derive(Clone, Copy, Debug)]
 struct Visit {
     node: usize,
-    cell: Aabb,
     enter: f32,
     leave: f32,
 }
@@ -50,9 +49,30 @@ struct Open {
     waiting: u8,
     /// Per axis the lower face, the middle plane and the upper face.
     planes: [[f32; 3]; 3],
-    /// The distances at which the ray enters and leaves each child, in the order of the ray.
-    enter: [f32; 8],
-    leave: [f32; 8],
+    /// The distances at which the ray enters and leaves each child, in the order of the ray: of four children, and of the four
+    /// behind the middle plane along z.
+    enters: [[f32; 4]; 2],
+    leaves: [[f32; 4]; 2],
+}
+
+impl Open {
+    /// The cell of one of its children, by the number of the child's node.
+    #[inline]
+    fn cell_of(&self, node: usize) -> Aabb {
+        let child = node - self.children as usize;
+        let face = |above: usize| {
+            let [x, y, z] = &self.planes;
+            Vec3::new(
+                x[(child & 1) + above],
+                y[(child >> 1 & 1) + above],
+                z[(child >> 2 & 1) + above],
+            )
+        };
+        Aabb {
+            min: face(0),
+            max: face(1),
+        }
+    }
 }
 
 impl<'a> Walk<'a> {
@@ -87,38 +107,46 @@ impl<'a> Walk<'a> {
     /// crosses the first of the planes that the child is in front of. If it leaves before it enters, it is never in the child.
     pub fn next_leaf(&mut self, limit: f32, count: &mut impl Count) -> Option<u32> {
         loop {
-            let visit = match self.root.take() {
+            let Visit { node, enter, leave } = match self.root.take() {
                 Some(root) => root,
                 None => self.next_child(limit)?,
             };
             count.tested_box();
-            let (children, occupied) = match self.tree.nodes[visit.node].kind() {
-                Kind::Leaf { .. } => return Some(visit.node as u32),
+            let (children, occupied) = match self.tree.nodes[node].kind() {
+                Kind::Leaf { .. } => return Some(node as u32),
                 Kind::Inner { children, occupied } => (children, occupied),
             };
-            let center = visit.cell.center();
-            let (earlier, later) = (self.earlier(center), self.later(center));
-            let (mut enter, mut leave) = ([visit.enter; 8], [visit.leave; 8]);
-            for axis in 0..3 {
-                let (t, later) = (earlier[axis], later[axis]);
-                for i in 0..8 {
-                    // 0·∞: the ray runs in this plane. Comparisons with the NaN are false, so the ray is in both halves.
-                    if i >> axis & 1 != 0 {
-                        enter[i] = if t > enter[i] { t } else { enter[i] };
-                    } else {
-                        leave[i] = if later < leave[i] { later } else { leave[i] };
-                    }
-                }
-            }
-            let met = (0..8).fold(0, |bits, i| bits | u8::from(enter[i] <= leave[i]) << i);
-            let waiting = met & mirrored(occupied, self.mirror);
-            let Aabb { min, max } = visit.cell;
+            let cell = self
+                .open
+                .last()
+                .map_or(self.tree.bounds, |open| open.cell_of(node));
+            let center = cell.center();
+            // 0·∞: the ray runs in this plane. Comparisons with the NaN are false, so the ray is in both halves.
+            let later = |t: f32| if t > enter { t } else { enter };
+            let sooner = |t: f32| if t < leave { t } else { leave };
+            // One by one, for `map` of an array may remain a function call. Children 0 to 3 are before the plane along z, children
+            // 4 to 7 behind it.
+            let planes = self.earlier(center);
+            let (x, y, z) = (later(planes.x), later(planes.y), later(planes.z));
+            let near = Vec4::new(enter, x, y, if x > y { x } else { y });
+            let enters = [near, near.max(Vec4::splat(z))];
+            let planes = self.later(center);
+            let (x, y, z) = (sooner(planes.x), sooner(planes.y), sooner(planes.z));
+            let far = Vec4::new(if x < y { x } else { y }, y, x, leave);
+            let leaves = [far.min(Vec4::splat(z)), far];
+            let met = |half: usize| enters[half].cmple(leaves[half]).bitmask() as u8;
+            let waiting = (met(0) | met(1) << 4) & mirrored(occupied, self.mirror);
+            let Aabb { min, max } = cell;
             self.open.push(Open {
                 children,
                 waiting,
-                planes: [0, 1, 2].map(|axis| [min[axis], center[axis], max[axis]]),
-                enter,
-                leave,
+                planes: [
+                    [min.x, center.x, max.x],
+                    [min.y, center.y, max.y],
+                    [min.z, center.z, max.z],
+                ],
+                enters: [enters[0].to_array(), enters[1].to_array()],
+                leaves: [leaves[0].to_array(), leaves[1].to_array()],
             });
         }
     }
@@ -134,20 +162,12 @@ impl<'a> Walk<'a> {
             }
             let next = open.waiting.trailing_zeros() as usize;
             open.waiting &= open.waiting - 1;
-            if open.enter[next] <= limit {
-                let child = next ^ self.mirror;
-                let [x, y, z] = [0, 1, 2].map(|axis| {
-                    let above = child >> axis & 1;
-                    (open.planes[axis][above], open.planes[axis][above + 1])
-                });
+            let enter = open.enters[next / 4][next % 4];
+            if enter <= limit {
                 return Some(Visit {
-                    node: open.children as usize + child,
-                    cell: Aabb {
-                        min: Vec3::new(x.0, y.0, z.0),
-                        max: Vec3::new(x.1, y.1, z.1),
-                    },
-                    enter: open.enter[next],
-                    leave: open.leave[next],
+                    node: open.children as usize + (next ^ self.mirror),
+                    enter,
+                    leave: open.leaves[next / 4][next % 4],
                 });
             }
         }
@@ -181,7 +201,6 @@ impl<'a> Walk<'a> {
         let some = !self.tree.named.is_empty() && enter <= leave;
         some.then_some(Visit {
             node: 0,
-            cell: self.tree.bounds,
             enter,
             leave,
         })
@@ -189,6 +208,7 @@ impl<'a> Walk<'a> {
 }
 
 /// The bits of eight children, moved to the children's numbers in the order of the ray.
+#[inline]
 fn mirrored(mut bits: u8, mirror: usize) -> u8 {
     for (axis, lower) in LOWER.into_iter().enumerate() {
         if mirror >> axis & 1 != 0 {

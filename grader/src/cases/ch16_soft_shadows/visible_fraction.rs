@@ -489,6 +489,21 @@ impl Graded for VisibleFraction {
             answer: |q| seen(q, 16, |u| u - 0.5, [0.0, 1.0]),
         },
         Mistake {
+            name: "takes the light's corner for its middle, along a",
+            hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x - 0.5, u.y), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes the light's corner for its middle, along b",
+            hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y - 0.5), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "takes twice the square of a ball's radius for its square",
+            hint: "What do you compare with the square of the radius, and is there a factor of 2 on one side only?",
+            answer: |q| by_balls(q, |r| SQRT_2 * r),
+        },
+        Mistake {
             name: "takes no more samples at a point when one of them is hidden",
             hint: "One sample is hidden: what do you know of the next ones?",
             answer: |q| {

@@ -64,6 +64,10 @@ pub(super) struct Adding {
     pub(super) rounded: fn(f32) -> f32,
     /// The axis along which the ray leaves a cell.
     pub(super) chosen: fn([f32; 3]) -> Option<usize>,
+    /// The axes along which the cell changes.
+    pub(super) moves: [bool; 3],
+    /// Whether a cell is left out that the ray seems to leave before it enters.
+    pub(super) is_forward: bool,
 }
 
 /// The walk without a mistake.
@@ -72,6 +76,8 @@ pub(super) const ADDING: Adding = Adding {
     late: |_| 0.0,
     rounded: f32::floor,
     chosen: |next| nearest(next).first().copied(),
+    moves: [true; 3],
+    is_forward: false,
 };
 
 /// A walk that adds the way between two planes in every step (Amanatides and Woo 1987).
@@ -97,14 +103,20 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
         }
     });
     let mut visits = Vec::new();
+    let mut enter = start(q);
     for _ in 0..=lattice.resolution.element_sum() {
         let Some(axis) = (by.chosen)(next) else {
             break;
         };
         let [x, y, z] = cell.map(|i| i as u32);
         let leave = next[axis].min(q.within.max);
-        visits.push(Visit { x, y, z, leave });
-        cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
+        if leave > enter || !by.is_forward {
+            visits.push(Visit { x, y, z, leave });
+        }
+        enter = leave;
+        if by.moves[axis] {
+            cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
+        }
         if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
             break;
         }

@@ -105,7 +105,7 @@ pub fn fills(what: &str, numbers: impl Iterator<Item = f64>, bounds: Bounds) -> 
         ));
     }
     let [from, to] = widest_gap(numbers.into_iter());
-    if to - from > bounds.of(FREE + n.ln()) / n {
+    if to - from > (bounds.of(FREE) + n.ln()) / n {
         return Err(format!(
             "{what} is never between {from:.4} and {to:.4}: it is not the same everywhere from 0 to 1"
         ));

@@ -158,9 +158,7 @@ impl Explained for Refract {
 /// The same by n = n₂/n₁ and g = n cos θ₂, whose square is n² − 1 + cos²θ₁.
 fn by_one_ratio(asked: &Fresnel, way: &mut Way) -> FresnelAnswer {
     let c = way.part("cos θ₁", f64::from(asked.cos1));
-    let n1 = way.part("n₁", f64::from(asked.n1));
-    let n2 = way.part("n₂", f64::from(asked.n2));
-    let n = way.part("n = n₂/n₁", n2 / n1);
+    let n = way.part("n = n₂/n₁", f64::from(asked.n2) / f64::from(asked.n1));
     let under_root = way.part("n² in g²", n * n);
     let square = way.part("cos²θ₁", c * c);
     let squared = way.part("g² = n² − 1 + cos²θ₁", under_root - 1.0 + square);

@@ -89,7 +89,7 @@ fn fills<'a>(points: impl Iterator<Item = &'a Vec2> + Clone, bound: f64) -> Verd
     let [from, to] = widest_gap(shares.chain([0.0, 1.0]));
     if to - from > bound {
         return Err(format!(
-            "the points are not evenly spread: none of them is between {:.4} and {:.4} away from the middle",
+            "the points are not evenly spread: none that is farther away than {:.4} is nearer to the middle than {:.4}",
             from.sqrt(),
             to.sqrt()
         ));
@@ -236,7 +236,7 @@ impl Graded for ConcentricDisk {
             hint: "From where to where does your angle go?",
         },
         Flaw {
-            complaint: "the middle",
+            complaint: "nearer to the middle than",
             name: "has too many points near the middle, or near the rim",
             hint: "Half of the radius is a quarter of the area: how many points belong there?",
         },

@@ -1,7 +1,7 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
 //! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from different seeds. At
-//! most 16 of them are asked of a pattern, with 6e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
+//! most 18 of them are asked of a pattern, with 7e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
 //! of up to three more rounds (see [`crate::further`]): 2e-8 for a pattern. The answer to a case fails alone by chance with 4e-10
 //! (`points.rs`), and one of a thousand points with 2e-8: 4e-8 in all; of further answers, two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten
 //! thousand classes. Estimates are judged together if one question has other answers each time: a question without a seed may be answered by the

@@ -336,12 +336,12 @@ impl Graded for GridWalk {
             name: "rounds to the nearest cell where the ray begins, and leaves out what is behind it",
             hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
             answer: |q| {
-                let (rounded, is_forward) = (f32::round, true);
+                let (rounded, is_clipped) = (f32::round, true);
                 added(
                     q,
                     &Adding {
                         rounded,
-                        is_forward,
+                        is_clipped,
                         ..ADDING
                     },
                 )
@@ -351,12 +351,12 @@ impl Graded for GridWalk {
             name: "measures the first planes from where the ray enters the grid, and leaves out what is behind it",
             hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
             answer: |q| {
-                let (late, is_forward) = (start, true);
+                let (late, is_clipped) = (start, true);
                 added(
                     q,
                     &Adding {
                         late,
-                        is_forward,
+                        is_clipped,
                         ..ADDING
                     },
                 )
@@ -374,24 +374,45 @@ impl Graded for GridWalk {
             name: "never goes on to the next cell along x",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
             answer: |q| {
-                let moves = [false, true, true];
-                added(q, &Adding { moves, ..ADDING })
+                let (moves, is_clipped) = ([false, true, true], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
             },
         },
         Mistake {
             name: "never goes on to the next cell along y",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
             answer: |q| {
-                let moves = [true, false, true];
-                added(q, &Adding { moves, ..ADDING })
+                let (moves, is_clipped) = ([true, false, true], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
             },
         },
         Mistake {
             name: "never goes on to the next cell along z",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
             answer: |q| {
-                let moves = [true, true, false];
-                added(q, &Adding { moves, ..ADDING })
+                let (moves, is_clipped) = ([true, true, false], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
             },
         },
         Mistake {

@@ -70,11 +70,12 @@ impl Graded for CosineHemisphere {
     /// By what the directions have in common, whichever number makes the radius and from wherever the angle is counted.
     ///
     /// The bounds are errors of the lattice, not of chance. Measured for n from 48 to 96, with the numbers exchanged or
-    /// not, any turn around the normal, the disc by rings or by squares (Shirley and Chiu 1997), or a sphere's point added
-    /// to the normal: all means are right to 0.026, and the shares too. The nearest mistakes, which spread the angle evenly
-    /// and which use a number twice, are off by 0.095 in a share, and by 0.12 in a mean.
+    /// not, any turn around the normal, the disc by rings or by squares (Shirley and Chiu 1997): all means and shares are right to 0.026. A
+    /// point of the sphere added to the normal, whose poles lie anywhere, is the worst right method: of 40,000 random normals the
+    /// shares are right to 0.071. The nearest mistakes, which spread the angle evenly and which use a number twice, are off by 0.095 in a
+    /// share, and by 0.12 in a mean.
     fn judge(q: &CosineHemisphere, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        const BOUND: f32 = 0.055;
+        const BOUND: f32 = 0.08;
         let expected = q.n as usize;
         if got.len() != expected {
             return Err(format!(

@@ -1,7 +1,7 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
 //! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from different seeds. At
-//! most 16 of them are asked of a pattern, with 6e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
+//! most 18 of them are asked of a pattern, with 7e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
 //! of up to three more rounds (see [`crate::further`]): 2e-8 for a pattern. The answer to a case fails alone by chance with 4e-10
 //! (`points.rs`), and one of a thousand points with 2e-8: 4e-8 in all; of further answers, two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten
 //! thousand classes. Estimates are judged together if one question has other answers each time: a question without a seed may be answered by the
@@ -79,19 +79,35 @@ pub fn balanced(what: &str, lists: impl Iterator<Item = Vec<f64>>, bounds: Bound
     Ok(())
 }
 
-/// Whether uniform numbers come near to both ends of [0, 1): that all of n keep 21/n away from an end has a probability of e^−21 = 8e-10.
+/// The widest gap between neighbours among numbers: where it begins and ends.
+pub fn widest_gap(numbers: impl Iterator<Item = f64>) -> [f64; 2] {
+    let mut sorted: Vec<_> = numbers.collect();
+    sorted.sort_by(f64::total_cmp);
+    let gaps = sorted.windows(2).map(|two| [two[0], two[1]]);
+    gaps.max_by(|[a, b], [c, d]| (b - a).total_cmp(&(d - c)))
+        .unwrap_or_default()
+}
+
+/// Whether uniform numbers fill [0, 1): that all of n keep 21/n away from an end has a probability of e^−21 = 8e-10, and as small is that of a
+/// gap of (21 + ln n)/n in the midst of them: each of its n − 1 gaps is wider than g with the probability (1 − g)ⁿ (Fisher 1929).
 ///
 /// # Errors
-/// If they keep away from an end.
+/// If they keep away from an end, or leave a gap.
 pub fn fills(what: &str, numbers: impl Iterator<Item = f64>, bounds: Bounds) -> Verdict {
     const FREE: f64 = 21.0;
-    let (mut least, mut most, mut n) = (1.0_f64, 0.0_f64, 0.0);
-    for v in numbers {
-        (least, most, n) = (least.min(v), most.max(v), n + 1.0);
-    }
+    let numbers: Vec<_> = numbers.collect();
+    let n = numbers.len() as f64;
+    let least = numbers.iter().copied().fold(1.0, f64::min);
+    let most = numbers.iter().copied().fold(0.0, f64::max);
     if least.max(1.0 - most) > bounds.of(FREE) / n {
         return Err(format!(
             "{what} is never below {least:.4} nor above {most:.4}: it is not the same everywhere from 0 to 1"
+        ));
+    }
+    let [from, to] = widest_gap(numbers.into_iter());
+    if to - from > (bounds.of(FREE) + n.ln()) / n {
+        return Err(format!(
+            "{what} is never between {from:.4} and {to:.4}: it is not the same everywhere from 0 to 1"
         ));
     }
     Ok(())

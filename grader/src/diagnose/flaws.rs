@@ -90,6 +90,12 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     let also: usize = first.also.iter().map(|one| one.explained).sum();
     // A few answers may have another flaw that hides this one.
     first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
+    // What has the name of a mistake says what the function does everywhere, which more right answers than wrong ones deny.
+    let is_mistake = examiner
+        .mistakes()
+        .iter()
+        .any(|(name, _)| *name == first.name);
+    first.certain &= !is_mistake || 2 * evidence.wrong >= evidence.items.len();
     ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
 }
 

@@ -155,7 +155,40 @@ impl Explained for Refract {
     }
 }
 
+/// The same by n = n₂/n₁ and g = n cos θ₂, whose square is n² − 1 + cos²θ₁.
+fn by_one_ratio(asked: &Fresnel, way: &mut Way) -> FresnelAnswer {
+    let c = way.part("cos θ₁", f64::from(asked.cos1));
+    let n = way.part("n = n₂/n₁", f64::from(asked.n2) / f64::from(asked.n1));
+    let under_root = way.part("n² in g²", n * n);
+    let square = way.part("cos²θ₁", c * c);
+    let squared = way.part("g² = n² − 1 + cos²θ₁", under_root - 1.0 + square);
+    if way.is_at_most("g² is not positive", squared, 0.0) {
+        return FresnelAnswer {
+            rs: 1.0,
+            rp: 1.0,
+            r: 1.0,
+        };
+    }
+    let g = way.part("g", squared.sqrt());
+    let over = way.part("cos θ₁ − g", c - g);
+    let under = way.part("cos θ₁ + g", c + g);
+    let rs = way.part("the root of Rs", over / under);
+    let rs = way.part("Rs", rs * rs);
+    let factor = way.part("n² in Rp", n * n);
+    let inside = way.part("n² cos θ₁", factor * c);
+    let over = way.part("n² cos θ₁ − g", inside - g);
+    let under = way.part("n² cos θ₁ + g", inside + g);
+    let rp = way.part("the root of Rp", over / under);
+    let rp = way.part("Rp", rp * rp);
+    let sum = way.part("Rs + Rp", rs + rp);
+    let r = way.part("R = (Rs + Rp)/2", 0.5 * sum);
+    let [rs, rp, r] = [rs, rp, r].map(|v| v as f32);
+    FresnelAnswer { rs, rp, r }
+}
+
 impl Explained for Fresnel {
+    const WAYS: &'static [fn(&Self, &mut Way) -> FresnelAnswer] = &[Self::work, by_one_ratio];
+
     fn work(&self, way: &mut Way) -> FresnelAnswer {
         let cos1 = way.part("cos θ₁", f64::from(self.cos1));
         let n1 = way.part("n₁", f64::from(self.n1));

@@ -5,6 +5,7 @@ use glam::{DVec2, DVec3, dvec2};
 use raybook_grader::cases;
 use raybook_grader::examine::visible_rng;
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4, PI, TAU};
+use std::sync::atomic::{AtomicU64, Ordering};
 
 pub const ALTERNATIVES: &[Alternative] = &[
     Alternative {
@@ -58,6 +59,11 @@ pub const ALTERNATIVES: &[Alternative] = &[
                 (cell + dvec2(random(&mut state), random(&mut state))) / f64::from(side)
             })
         },
+    },
+    Alternative {
+        exercise: "visible_fraction",
+        method: "by random numbers that never come again",
+        answer: |q| by_new_numbers(q, |u| u),
     },
     Alternative {
         exercise: "visible_fraction",
@@ -169,6 +175,15 @@ fn sphere(q: &mut Question, place: fn(DVec2) -> (f64, f64)) -> Answer {
         answer.extend([t, pdf, radiance / pdf]);
     }
     Some(answer)
+}
+
+/// `place` gives the place on the light for two random numbers, which are others each time.
+pub fn by_new_numbers(q: &mut Question, place: impl Fn(DVec2) -> DVec2) -> Answer {
+    static STATE: AtomicU64 = AtomicU64::new(16);
+    let mut state = STATE.fetch_add(1, Ordering::Relaxed) << 32;
+    visible(q, |_, _| {
+        place(dvec2(random(&mut state), random(&mut state)))
+    })
 }
 
 /// `place` gives the place on the light of sample i of n.

@@ -46,6 +46,18 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
     Alternative {
+        exercise: "cosine_hemisphere",
+        method: "a point of the unit sphere, whose poles are the world's, added to the normal",
+        answer: |q| {
+            images(q, |u, basis| {
+                let (height, phi) = (1.0 - 2.0 * u.y, TAU * u.x);
+                let r = (1.0 - height * height).sqrt();
+                let point = DVec3::new(r * phi.cos(), height, r * phi.sin());
+                (basis(DVec3::Z) + point).normalize()
+            })
+        },
+    },
+    Alternative {
         exercise: "brdf_phong",
         method: "mirrors the viewer, in f64",
         answer: |q| {

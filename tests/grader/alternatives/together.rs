@@ -1,7 +1,12 @@
 //! Answers that are right one by one, judged together: right programs stay right, small biases are found, and how small is in a table.
 
-use super::{Alternative, STYLES, alternatives, line};
+use super::student::Question;
+use super::{Alternative, STYLES, alternatives, ch16, line};
+use glam::{DVec2, Vec3, dvec2, vec3};
 use rand::RngExt;
+use raybook::light::environment::latlong;
+use raybook::math::basis::Basis;
+use raybook::math::dir3::Dir3;
 use raybook::math::pcg;
 use raybook_common::snapshot;
 use raybook_grader::Verdict;
@@ -13,12 +18,15 @@ use raybook_grader::together::Bounds;
 use raybook_workbook::row;
 use rayon::prelude::*;
 use std::convert::Infallible;
-use std::f64::consts::TAU;
+use std::f64::consts::{PI, TAU};
 use std::fmt::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};
 
 /// The exercises whose answers are judged together.
-const EXERCISES: [&str; 5] = [
+const EXERCISES: [&str; 8] = [
+    "visible_fraction",
+    "cosine_hemisphere",
+    "sample_environment",
     "concentric_disk",
     "random_pattern",
     "jittered",
@@ -198,7 +206,135 @@ fn power(points: &[f64], power: f64) -> Vec<f64> {
     moved.collect()
 }
 
+/// Fractions of the light at other places on it, each by random numbers of its own.
+fn at_places(q: &[f64], place: impl Fn(DVec2) -> DVec2) -> Vec<f64> {
+    let words: Vec<_> = q.iter().map(f64::to_string).collect();
+    let question = &mut Question::read(&words.join(" "));
+    let answer = ch16::by_new_numbers(question, place);
+    answer.expect("fractions")[1..].to_vec()
+}
+
+/// Directions as the angle round the normal and the height above the surface, changed.
+fn round_the_normal(q: &[f64], numbers: &[f64], change: fn(f64, f64) -> (f64, f64)) -> Vec<f64> {
+    let normal = vec3(q[0] as f32, q[1] as f32, q[2] as f32);
+    let basis = Basis::around(Dir3::new(normal).expect("a normal"));
+    let changed = directions(numbers).flat_map(|d| {
+        let [x, y, z] = [basis.x, basis.y, basis.z].map(|axis| f64::from(d.dot(*axis)));
+        let (turn, height) = change(y.atan2(x).rem_euclid(TAU), z);
+        let r = (1.0 - height * height).max(0.0).sqrt();
+        let local = dvec2(r * turn.cos(), r * turn.sin()).extend(height);
+        basis.to_world(local.as_vec3()).to_array()
+    });
+    changed.map(f64::from).collect()
+}
+
+fn directions(numbers: &[f64]) -> impl Iterator<Item = Vec3> {
+    let direction = |d: &[f64]| vec3(d[0] as f32, d[1] as f32, d[2] as f32);
+    numbers.chunks_exact(3).map(direction)
+}
+
+/// Directions at other places in their texels: of the shares of its width and of its height by area.
+fn in_texels(q: &[f64], numbers: &[f64], change: fn(f64, f64) -> (f64, f64)) -> Vec<f64> {
+    let (width, height) = (q[0], q[1]);
+    let changed = directions(numbers).flat_map(|d| {
+        let place = latlong::place(Dir3::new(d).expect("a direction")).as_dvec2();
+        let (x, y) = ((place.x * width).floor(), (place.y * height).floor());
+        let [top, bottom] = [y, y + 1.0].map(|row| (PI * row / height).cos());
+        let down = (top - f64::from(d.y)) / (top - bottom);
+        let (right, down) = change(place.x * width - x, down);
+        let cosine = top + (bottom - top) * down;
+        latlong::toward(((x + right) / width) as f32, cosine).to_array()
+    });
+    changed.map(f64::from).collect()
+}
+
 const BIASES: &[Bias] = &[
+    Bias {
+        exercise: "visible_fraction",
+        fault: "leaves out 4 % of the light along a",
+        change: |q, _| at_places(q, |u| dvec2(0.96 * u.x, u.y)),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "takes the light for 4 % too large",
+        change: |q, _| at_places(q, |u| 1.04 * u - 0.02),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "has places of the power 1.1 along a",
+        change: |q, _| at_places(q, |u| dvec2(u.x.powf(1.1), u.y)),
+    },
+    Bias {
+        exercise: "cosine_hemisphere",
+        fault: "goes 0.97 of the way round",
+        change: |q, all| round_the_normal(q, &all, |turn, height| (0.97 * turn, height)),
+    },
+    Bias {
+        exercise: "cosine_hemisphere",
+        fault: "takes 3 for π",
+        change: |q, all| round_the_normal(q, &all, |turn, height| (3.0 / PI * turn, height)),
+    },
+    Bias {
+        exercise: "cosine_hemisphere",
+        fault: "is never within 10° of the normal",
+        change: |q, all| {
+            round_the_normal(q, &all, |turn, height| {
+                (turn, 10_f64.to_radians().cos() * height)
+            })
+        },
+    },
+    Bias {
+        exercise: "sample_environment",
+        fault: "fills 0.98 of a texel's width",
+        change: |q, all| in_texels(q, &all, |right, down| (0.98 * right, down)),
+    },
+    Bias {
+        exercise: "sample_environment",
+        fault: "fills the middle 0.96 of a texel's height",
+        change: |q, all| in_texels(q, &all, |right, down| (right, 0.02 + 0.96 * down)),
+    },
+    Bias {
+        exercise: "sample_environment",
+        fault: "has the power 1.05 in a texel's width",
+        change: |q, all| in_texels(q, &all, |right, down| (right.powf(1.05), down)),
+    },
+    Bias {
+        exercise: "concentric_disk",
+        fault: "takes 3 for π in the concentric map",
+        change: |_, points| {
+            let pressed = points.chunks_exact(2).flat_map(|p| {
+                let (r, quarter) = (p[0].hypot(p[1]), (p[1].atan2(p[0]) / TAU * 4.0).round());
+                let turn = p[1].atan2(p[0]) - quarter * TAU / 4.0;
+                let turn = quarter * TAU / 4.0 + 3.0 / PI * turn;
+                [r * turn.cos(), r * turn.sin()]
+            });
+            pressed.collect()
+        },
+    },
+    Bias {
+        exercise: "random_pattern",
+        fault: "has no x from 0.499 to 0.501",
+        change: |_, points| {
+            let out = |(i, v): (usize, f64)| match v {
+                0.499..0.501 if i % 2 == 0 => v + 0.1,
+                _ => v,
+            };
+            points.into_iter().enumerate().map(out).collect()
+        },
+    },
+    Bias {
+        exercise: "jittered",
+        fault: "has no jitter from 0.499 to 0.501 along x",
+        change: |q, mut points| {
+            for v in points.iter_mut().step_by(2) {
+                let within = (*v * q[0]).fract();
+                if (0.499..0.501).contains(&within) {
+                    *v += 0.1 / q[0];
+                }
+            }
+            points
+        },
+    },
     Bias {
         exercise: "concentric_disk",
         fault: "has the radius u^0.55",
@@ -382,12 +518,12 @@ const BIASES: &[Bias] = &[
 fn small_biases_are_found_as_often_as_the_table_says() {
     const STUDENTS: usize = 20;
     let mut table = format!("{:<20} {:<46} found\n", "exercise", "fault");
-    for biases in BIASES.chunk_by(|a, b| a.exercise == b.exercise) {
-        let exercise = biases[0].exercise;
+    for exercise in EXERCISES {
         let examiner = cases::find(exercise).expect("an exercise");
+        let biases: Vec<_> = BIASES.iter().filter(|b| b.exercise == exercise).collect();
         let found = (0..STUDENTS).into_par_iter().map(|student| {
             let mut student = Student::new(examiner, student);
-            let is_found = |bias: &Bias| {
+            let is_found = |bias: &&Bias| {
                 let wrong = |(question, golden): &Row| {
                     let [count, points @ ..] = &golden[..] else {
                         return Vec::new();
@@ -400,7 +536,7 @@ fn small_biases_are_found_as_often_as_the_table_says() {
             biases.iter().map(is_found).collect::<Vec<_>>()
         });
         let found: Vec<_> = found.collect();
-        for (i, Bias { fault, .. }) in biases.iter().enumerate() {
+        for (i, Bias { fault, .. }) in biases.into_iter().enumerate() {
             let found = 100 * found.iter().filter(|found| found[i]).count() / STUDENTS;
             writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");
         }

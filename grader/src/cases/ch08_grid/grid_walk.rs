@@ -333,6 +333,89 @@ impl Graded for GridWalk {
             },
         },
         Mistake {
+            name: "rounds to the nearest cell where the ray begins, and leaves out what is behind it",
+            hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
+            answer: |q| {
+                let (rounded, is_clipped) = (f32::round, true);
+                added(
+                    q,
+                    &Adding {
+                        rounded,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "measures the first planes from where the ray enters the grid, and leaves out what is behind it",
+            hint: "From where is t measured: from the ray's origin, or from the place where the ray enters?",
+            answer: |q| {
+                let (late, is_clipped) = (start, true);
+                added(
+                    q,
+                    &Adding {
+                        late,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "takes a cell's extent, not cell/d, for the way between two planes",
+            hint: "How far is it along a slanting ray from one plane to the next, if the planes are 0.7 m apart?",
+            answer: |q| {
+                let apart = |cell: Vec3, _, axis: usize| cell[axis];
+                added(q, &Adding { apart, ..ADDING })
+            },
+        },
+        Mistake {
+            name: "never goes on to the next cell along x",
+            hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
+            answer: |q| {
+                let (moves, is_clipped) = ([false, true, true], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "never goes on to the next cell along y",
+            hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
+            answer: |q| {
+                let (moves, is_clipped) = ([true, false, true], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "never goes on to the next cell along z",
+            hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
+            answer: |q| {
+                let (moves, is_clipped) = ([true, true, false], true);
+                added(
+                    q,
+                    &Adding {
+                        moves,
+                        is_clipped,
+                        ..ADDING
+                    },
+                )
+            },
+        },
+        Mistake {
             name: "says how long the ray stays in a cell, not where it leaves",
             hint: "From where is t measured: from the ray's origin, or from where the ray enters the cell?",
             answer: |q| {

@@ -202,6 +202,21 @@ impl Graded for VoxelsOfTriangle {
             },
         },
         Mistake {
+            name: "adds the margin along x only",
+            hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
+            answer: |q| with_margins(q, Vec3::X),
+        },
+        Mistake {
+            name: "adds the margin along y only",
+            hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
+            answer: |q| with_margins(q, Vec3::Y),
+        },
+        Mistake {
+            name: "adds the margin along z only",
+            hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
+            answer: |q| with_margins(q, Vec3::Z),
+        },
+        Mistake {
             name: "takes only the cells that hold a corner, and forgets the margin",
             hint: "What if the triangle is larger than a cell?",
             answer: |q| {
@@ -297,6 +312,14 @@ fn shifted(q: &VoxelsOfTriangle, by: f32) -> Vec<Cell> {
         let by = by * bounds.size();
         let bounds = Aabb::new(bounds.min + by, bounds.max + by).grown(q.margin);
         triangle_meets_box(&corners, &bounds)
+    })
+}
+
+/// The cells that meet the triangle if the margin is added along some axes.
+fn with_margins(q: &VoxelsOfTriangle, along: Vec3) -> Vec<Cell> {
+    of_lattice(q, |bounds, corners| {
+        let by = q.margin * along;
+        triangle_meets_box(&corners, &Aabb::new(bounds.min - by, bounds.max + by))
     })
 }
 

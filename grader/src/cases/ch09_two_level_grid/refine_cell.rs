@@ -3,7 +3,7 @@
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
-use raybook::inside::grid::Lattice;
+use raybook::inside::grid::{Lattice, range};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
@@ -337,6 +337,30 @@ impl Graded for RefineCell {
             name: "takes the coarse cell's greatest corner for its extents",
             hint: "How long is a cell that begins at x = 2 and ends at x = 3?",
             answer: |q| cut_for(q, q.max.max(Vec3::ZERO), q.shapes.len(), 255),
+        },
+        Mistake {
+            name: "divides the coarse cell's greatest corner, not its extents, for a fine cell's extents",
+            hint: "How long is a fine cell, if four of them lie between x = 2 and x = 3?",
+            answer: |q| {
+                let right = RefineCell::answer(q);
+                let n = Vec3::new(right.nx as f32, right.ny as f32, right.nz as f32);
+                let size = q.max / n;
+                let last = n - 1.0;
+                let number = |corner: Vec3| ((corner - q.min) / size).floor();
+                let mut entries = Vec::new();
+                for (shape, corners) in (0..).zip(&q.shapes) {
+                    let (a, b) = (number(corners.min), number(corners.max));
+                    let (low, high) = (a.max(Vec3::ZERO), b.min(last));
+                    if low.cmpgt(high).any() || !(low + high).is_finite() {
+                        continue;
+                    }
+                    for cell in range(low.as_uvec3(), high.as_uvec3()) {
+                        let UVec3 { x, y, z } = cell;
+                        entries.push(Entry { x, y, z, shape });
+                    }
+                }
+                RefineCellAnswer { entries, ..right }
+            },
         },
         Mistake {
             name: "drops shapes that begin before the coarse cell",

@@ -67,6 +67,13 @@ pub(super) const BY_VOLUMES: Cutting = |q, which| {
     })
 };
 
+/// The cut whose sides have the least sums of extents, times their numbers of boxes.
+pub(super) const BY_EXTENTS: Cutting = |q, which| {
+    cheapest(q, which, 0..3, |q, side| {
+        around(&q.boxes, side).size().element_sum() * side.len() as f32
+    })
+};
+
 /// The cheapest cut along x.
 pub(super) const ALONG_X: Cutting = |q, which| cheapest(q, which, [0], by_areas);
 

@@ -2,8 +2,8 @@
 
 use super::builders::{
     ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
-    BY_VOLUMES, CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, WITHOUT_NUMBERS, built, chain,
-    one_leaf,
+    BY_EXTENTS, BY_VOLUMES, CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, WITHOUT_NUMBERS, built,
+    chain, one_leaf,
 };
 use super::bvh_tree::{tree_cost, wrong_choice};
 use super::sah_cost::node_area;
@@ -313,6 +313,11 @@ impl Graded for BvhBuild {
             name: "weighs the sides of a cut by their volume, and makes a leaf of all that it can hold",
             hint: "A flat box has no volume: do rays enter it?",
             answer: |q| built(q, BY_VOLUMES, FITS),
+        },
+        Mistake {
+            name: "adds the extents of a side's box for its area",
+            hint: "In which unit is an area, and in which is your sum?",
+            answer: |q| built(q, BY_EXTENTS, CHEAPER),
         },
         Mistake {
             name: "tries cuts along x only",

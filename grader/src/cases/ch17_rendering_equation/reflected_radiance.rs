@@ -255,6 +255,11 @@ impl Graded for ReflectedRadiance {
             answer: |q| under(q, |_| q.radiance),
         },
         Mistake {
+            name: "multiplies by the sky's ½ (1 + cos γ) twice",
+            hint: "How bright is the sky at its horizon, where γ is 90°: half as bright as at its zenith, or a quarter?",
+            answer: |q| under(q, |d| q.sky(d) * (0.5 + 0.5 * d.dot(*q.zenith))),
+        },
+        Mistake {
             name: "takes the direction to the light for the viewer's in the BRDF",
             hint: "The BRDF has two directions, to the light and to the viewer: which of them do you hand over?",
             answer: |q| {

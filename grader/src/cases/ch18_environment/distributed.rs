@@ -3,6 +3,7 @@
 use super::OfMap;
 use super::{cell, toward};
 use crate::Verdict;
+use crate::together::widest_gap;
 use glam::{Vec2, Vec3, vec2};
 use raybook::light::environment::latlong;
 use raybook_workbook::exercises::ch18_environment::SampleEnvironment;
@@ -78,6 +79,69 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
         let edge = quarter as f64 / (4 * width) as f64;
         let found = places.iter().filter(|p| f64::from(p.x) < edge).count();
         compare(&|| format!("left of {edge:.2} on the map"), found, share)?;
+    }
+    Ok(())
+}
+
+/// Whether the directions of many answers fill their texels from edge to edge, and are distributed among texels as their light is.
+///
+/// Measured for 60 students with 34 maps each and 48 right methods (those of [`distributed`], and what is left of a number taken for a place in
+/// the texel too): no gap is wider than 0.0051 of a texel, the shares of a texel are at most 0.0070 off, and the mean logarithm of the light at most
+/// 0.0098 of its standard deviation. Weights of the radiance to the power of 1.05 or 0.95 are 0.029 off at least.
+pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
+    const GAP: f64 = 0.008;
+    const SHARE: f64 = 0.012;
+    const LIGHT: f64 = 0.018;
+    let (mut within, mut off, mut maps) = ([Vec::new(), Vec::new()], 0.0, 0.0);
+    for (q, got) in answers {
+        let light = q.all_light();
+        if got.is_empty() || light == 0.0 {
+            continue;
+        }
+        let weight = |x, y| (q.light(x, y) > 0.0).then(|| q.texel(x, y).ln());
+        let texels =
+            (0..q.height as usize).flat_map(|y| (0..q.width as usize).map(move |x| (x, y)));
+        let texels = texels.filter_map(|(x, y)| Some((q.light(x, y) / light, weight(x, y)?)));
+        let mean: f64 = texels.clone().map(|(share, v)| share * v).sum();
+        let variance: f64 = texels.map(|(share, v)| share * (v - mean).powi(2)).sum();
+        let mut found = 0.0;
+        for d in got {
+            let place = latlong::place(toward(d.x, d.y, d.z));
+            let (x, y) = (cell(place.x, q.width), cell(place.y, q.height));
+            let [top, bottom] = [y, y + 1].map(|row| latlong::cosine(row, q.height as usize));
+            within[0].push(f64::from(place.x * q.width as f32) - x as f64);
+            within[1].push((top - f64::from(d.y)) / (top - bottom));
+            found += weight(x, y).map_or(0.0, |v| v - mean) / got.len() as f64;
+        }
+        if variance > 1e-6 {
+            off += found / variance.sqrt();
+            maps += 1.0;
+        }
+    }
+    for (places, what) in within.iter_mut().zip([
+        "of a texel's width, from its left edge",
+        "of a texel's height, by area from its upper edge",
+    ]) {
+        let [from, to] = widest_gap(places.iter().copied().chain([0.0, 1.0]));
+        if to - from > GAP {
+            return Err(format!("no direction is from {from:.3} to {to:.3} {what}"));
+        }
+        places.sort_by(f64::total_cmp);
+        let n = places.len() as f64;
+        let of = |(i, v): (usize, &f64)| (i as f64 / n, *v);
+        let most = places.iter().enumerate().map(of);
+        let most = most.max_by(|a, b| (a.0 - a.1).abs().total_cmp(&(b.0 - b.1).abs()));
+        if let Some((share, v)) = most.filter(|(share, v)| (share - v).abs() > SHARE) {
+            return Err(format!(
+                "{:.1} % of the directions are in the first {:.1} % {what}",
+                100.0 * share,
+                100.0 * v
+            ));
+        }
+    }
+    if maps > 0.0 && f64::abs(off / maps) > LIGHT {
+        let how = if off > 0.0 { "bright" } else { "dark" };
+        return Err(format!("{how} texels are chosen slightly too often"));
     }
     Ok(())
 }

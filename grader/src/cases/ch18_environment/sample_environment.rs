@@ -1,7 +1,9 @@
 //! `sample_environment`: random questions and mistakes; [`super::distributed`] judges.
 
 use super::OfMap;
-use super::{cell, distributed::distributed, toward};
+use super::{cell, distributed, toward};
+use crate::examine::RANDOM_CASES;
+use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
@@ -113,7 +115,14 @@ impl Graded for SampleEnvironment {
                 return Err(format!("direction {i} has length {}", direction.length()));
             }
         }
-        distributed(q, got)
+        distributed::distributed(q, got)
+    }
+
+    fn together(answers: &[(SampleEnvironment, Vec<Vec3>)], _: Bounds) -> Verdict {
+        if answers.len() < RANDOM_CASES {
+            return Ok(());
+        }
+        distributed::together(answers)
     }
 
     fn traits(q: &SampleEnvironment, got: &Vec<Vec3>) -> Vec<f64> {
@@ -189,6 +198,21 @@ impl Graded for SampleEnvironment {
             complaint: "of +y",
             name: "does not spread the directions evenly within a row",
             hint: "Within a row of texels, which must be spread evenly: the cosine of the angle from +y, or the angle?",
+        },
+        Flaw {
+            complaint: "of a texel's width",
+            name: "does not spread the directions evenly from a texel's left edge to its right one",
+            hint: "Can a direction be anywhere in its texel, close to its left edge and to its right one?",
+        },
+        Flaw {
+            complaint: "of a texel's height",
+            name: "does not spread the directions evenly from a texel's upper edge to its lower one",
+            hint: "Can a direction be anywhere in its texel, close to its upper edge and to its lower one? By the angle, or by the area?",
+        },
+        Flaw {
+            complaint: "slightly too often",
+            name: "weighs bright texels a little too much, or too little",
+            hint: "How often is a texel chosen that is twice as bright as another of the same size?",
         },
         Flaw {
             complaint: "on the map",

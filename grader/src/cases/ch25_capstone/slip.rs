@@ -66,6 +66,7 @@ pub enum Slip {
     AlwaysCrownGlass,
     NoTotalReflection,
     RefractionNotCounted,
+    LastShareOnly,
     Clamped,
     Encoded,
     Gamma,
@@ -79,7 +80,7 @@ pub fn answer(q: &Trace, slip: Slip) -> Rgb {
         _ => q.depth,
     };
     let tracer = Tracer::new(&q.scene, slip);
-    let radiance = tracer.radiance(&q.ray, depth, true);
+    let radiance = tracer.seen(&q.ray, depth);
     match slip {
         Slip::Clamped => tone::clamp(radiance),
         Slip::Encoded => radiance.map(tone::encode_srgb),

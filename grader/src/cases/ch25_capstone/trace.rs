@@ -489,6 +489,11 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::AmbientOnMirrors),
         },
         Mistake {
+            name: "weighs what a ray sees by the share of the last surface only, not by those of all surfaces before",
+            hint: "A mirror in a mirror: two shares of 0.8 leave 0.64 of the light. What does a ray of yours know of the shares before?",
+            answer: |q| answer(q, Slip::LastShareOnly),
+        },
+        Mistake {
             name: "does not count the surfaces that a refracted ray has met",
             hint: "A ray enters a ball of glass and leaves it: how many surfaces are that, and how many does your depth count?",
             answer: |q| answer(q, Slip::RefractionNotCounted),

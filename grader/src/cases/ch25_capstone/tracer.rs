@@ -29,6 +29,8 @@ pub struct Tracer<'a> {
     slip: Slip,
     /// Refractions that may still go uncounted: in a scene that makes no sense, a ray may be refracted for ever.
     uncounted: Cell<u32>,
+    /// What was seen in mirrors and in glass, where each counts by its own share only.
+    beyond: Cell<Rgb>,
 }
 
 impl<'a> Tracer<'a> {
@@ -42,6 +44,7 @@ impl<'a> Tracer<'a> {
             scene,
             slip,
             uncounted: Cell::new(many),
+            beyond: Cell::new(Rgb::BLACK),
         }
     }
 
@@ -49,8 +52,14 @@ impl<'a> Tracer<'a> {
         self.slip == slip
     }
 
+    /// The radiance along the viewer's ray.
+    pub fn seen(&self, ray: &Ray, depth: u32) -> Rgb {
+        let seen = self.radiance(ray, depth, true);
+        seen + self.beyond.get()
+    }
+
     /// The radiance along a ray; `first` for the viewer's.
-    pub fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
+    fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
         let backdrop = match self.slip {
             Slip::HeightForShare => {
                 let Backdrop { below, above } = self.scene.backdrop;
@@ -88,7 +97,7 @@ impl<'a> Tracer<'a> {
         } else {
             at.facing(-ray.direction)
         };
-        match &object.matter {
+        let seen = match &object.matter {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
             Matter::Mirror(mirror) => {
                 let seen = see(reflect(ray.direction, normal));
@@ -98,7 +107,7 @@ impl<'a> Tracer<'a> {
                     _ => mirror.share * seen,
                 }
             }
-            Matter::Glass(clear) => {
+            Matter::Glass(clear) => 'glass: {
                 let index = match self.slip {
                     Slip::AlwaysCrownGlass => 1.5,
                     _ => clear.index,
@@ -114,7 +123,7 @@ impl<'a> Tracer<'a> {
                 let facing = at.facing(-ray.direction);
                 let Some(refracted) = refract(ray.direction, facing, here, there) else {
                     let seen = !self.is(Slip::NoTotalReflection);
-                    return if seen { mirrored() } else { Rgb::BLACK };
+                    break 'glass if seen { mirrored() } else { Rgb::BLACK };
                 };
                 let cosine = -ray.direction.dot(*normal);
                 let share = self.mirrored_share(cosine, clear.index, here, there);
@@ -132,7 +141,7 @@ impl<'a> Tracer<'a> {
                     see_from(behind)
                 };
                 if self.is(Slip::NoShares) {
-                    return through + mirrored();
+                    break 'glass through + mirrored();
                 }
                 let through = through * (1.0 - share);
                 if share == 0.0 || self.is(Slip::NothingMirroredInGlass) {
@@ -141,7 +150,12 @@ impl<'a> Tracer<'a> {
                     through + mirrored() * share
                 }
             }
+        };
+        if self.is(Slip::LastShareOnly) && !matches!(object.matter, Matter::Phong(_)) {
+            self.beyond.set(self.beyond.get() + seen);
+            return Rgb::BLACK;
         }
+        seen
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {

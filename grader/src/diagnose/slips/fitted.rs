@@ -1,7 +1,7 @@
 //! A step whose value is multiplied by a number that nobody thought of.
 
 use super::possible::{RANK, longest, passed, short};
-use super::{Slip, Slipped};
+use super::{Slip, Slipped, id};
 use crate::diagnose::evidence::Evidence;
 use crate::diagnose::fit::factor::factor;
 use crate::explain::way::Step;
@@ -35,6 +35,7 @@ fn fitted_on(explainer: &'static Explainer, way: usize, evidence: &Evidence<'_>)
             explainer,
             way,
             slip: Slip::Scaled(step.place, by),
+            id: id(&Slip::Scaled(step.place, by)),
             most,
         };
         let answer = |by: f64, k: usize| slipped(by).answer(&evidence.items[k].question);

@@ -15,6 +15,7 @@ use crate::explain::{Explainer, find};
 pub use fitted::fitted;
 use possible::RANK;
 use std::collections::HashMap;
+use std::hash::{DefaultHasher, Hash, Hasher};
 
 /// A way of an exercise with one slip.
 pub struct Slipped {
@@ -28,6 +29,8 @@ pub struct Slipped {
     /// The number of the way.
     pub way: usize,
     slip: Slip,
+    /// What tells the slip from others of its way, for functions cannot be compared: known once, for its answers are looked up a million times.
+    id: u64,
     /// A longer way than this is nobody's: the slip has made a list of all numbers.
     most: usize,
 }
@@ -57,7 +60,7 @@ impl Slipped {
     /// The same for an item, of which it is known once it was asked; nothing when slips have gone too many steps.
     pub fn answer_to(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
         let item = &evidence.items[item];
-        let of = (self.way, format!("{:?}", self.slip), item.case);
+        let of = (self.way, self.id, item.case);
         if let Some(known) = evidence.slips.borrow().answers.get(&of) {
             return known.clone();
         }
@@ -135,11 +138,18 @@ impl Slipped {
     }
 }
 
+/// A number of its own for each slip.
+fn id(slip: &Slip) -> u64 {
+    let mut hasher = DefaultHasher::new();
+    format!("{slip:?}").hash(&mut hasher);
+    hasher.finish()
+}
+
 /// What slips answer.
 #[derive(Default)]
 pub struct Tried {
     /// By the way, the slip and the case.
-    answers: HashMap<(usize, String, usize), Option<Vec<f64>>>,
+    answers: HashMap<(usize, u64, usize), Option<Vec<f64>>>,
     /// The number of steps of all the ways that were gone for these.
     pub steps: usize,
 }

@@ -1,8 +1,8 @@
 //! The slips that the steps of a way allow: what people do wrong there, in words, and how common it is.
 
-use super::Slipped;
 use super::habits::{AMONG, CHOICES, COMMON, EARLIER, NEAR, ORDERS, POWERS, ROUNDS, SIDES, limits};
 use super::operands;
+use super::{Slipped, id};
 use crate::diagnose::evidence::{Evidence, stretches};
 use crate::diagnose::function::FUNCTIONS;
 use crate::explain::Explainer;
@@ -90,6 +90,7 @@ pub(super) fn slips(
             rank: RANK + rank,
             explainer,
             way: number,
+            id: id(&slip),
             slip,
             most: longest(&passed),
         });

@@ -64,6 +64,11 @@ pub(super) struct Adding {
     pub(super) rounded: fn(f32) -> f32,
     /// The axis along which the ray leaves a cell.
     pub(super) chosen: fn([f32; 3]) -> Option<usize>,
+    /// The axes along which the cell changes.
+    pub(super) moves: [bool; 3],
+    /// Whether it ends where the ray leaves the lattice, in whatever cell it is then, and leaves out cells that the ray seems to leave before it
+    /// enters.
+    pub(super) is_clipped: bool,
 }
 
 /// The walk without a mistake.
@@ -72,14 +77,17 @@ pub(super) const ADDING: Adding = Adding {
     late: |_| 0.0,
     rounded: f32::floor,
     chosen: |next| nearest(next).first().copied(),
+    moves: [true; 3],
+    is_clipped: false,
 };
 
 /// A walk that adds the way between two planes in every step (Amanatides and Woo 1987).
 pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
     let lattice: Lattice = q.lattice();
-    if slab::clip(&lattice.bounds(), &q.ray, q.within).is_none() {
+    let Some(part) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
         return Vec::new();
-    }
+    };
+    let within = if by.is_clipped { part } else { q.within };
     let (o, d) = (q.ray.origin, *q.ray.direction);
     let place = (q.ray.at(start(q)) - lattice.min) / lattice.cell;
     let last = lattice.resolution.as_ivec3() - 1;
@@ -97,15 +105,21 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
         }
     });
     let mut visits = Vec::new();
+    let mut enter = part.min;
     for _ in 0..=lattice.resolution.element_sum() {
         let Some(axis) = (by.chosen)(next) else {
             break;
         };
         let [x, y, z] = cell.map(|i| i as u32);
-        let leave = next[axis].min(q.within.max);
-        visits.push(Visit { x, y, z, leave });
-        cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
-        if next[axis] >= q.within.max || !(0..=last[axis]).contains(&cell[axis]) {
+        let leave = next[axis].min(within.max);
+        if leave > enter || !by.is_clipped {
+            visits.push(Visit { x, y, z, leave });
+        }
+        enter = leave;
+        if by.moves[axis] {
+            cell[axis] += if d[axis] < 0.0 { -1 } else { 1 };
+        }
+        if next[axis] >= within.max || !(0..=last[axis]).contains(&cell[axis]) {
             break;
         }
         next[axis] += (by.apart)(lattice.cell, d, axis);

@@ -49,6 +49,17 @@ pub(super) fn seen_past(
     place: fn(Vec2) -> Vec2,
     blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
 ) -> Vec<f32> {
+    let weighed = weighed(q, n, blocks, |u| (place(u), [1.0]));
+    weighed.into_iter().map(|[fraction]| fraction).collect()
+}
+
+/// For each point the means of several weights over the places of the light that it sees, where what it does not see counts as 0.
+fn weighed<const N: usize>(
+    q: &VisibleFraction,
+    n: u32,
+    blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
+    place_and_weights: impl Fn(Vec2) -> (Vec2, [f32; N]),
+) -> Vec<[f32; N]> {
     let balls: Vec<_> = q
         .balls
         .iter()
@@ -58,9 +69,28 @@ pub(super) fn seen_past(
         let r = q.corner + u.x * q.a + u.y * q.b - from;
         r.dot(q.a.cross(q.b)) < 0.0 && !balls.iter().any(|ball| blocks(ball, from, r))
     };
-    let fraction = |&p: &Vec3| {
-        let count = lattice(n).filter(|&u| arrives(p, place(u))).count();
-        count as f32 / (n * n) as f32
+    let means = |&p: &Vec3| {
+        let mut sums = [0.0; N];
+        for (place, weights) in lattice(n).map(&place_and_weights) {
+            if arrives(p, place) {
+                sums = std::array::from_fn(|i| sums[i] + weights[i]);
+            }
+        }
+        sums.map(|sum| sum / (n * n) as f32)
     };
-    q.points.iter().map(fraction).collect()
+    q.points.iter().map(means).collect()
+}
+
+/// For each point the fraction, and by how much it is larger where places on the light are chosen a little more often: on one side along a or b, at
+/// both borders along a or b, at the ends of a diagonal.
+pub(super) fn leaning(q: &VisibleFraction) -> Vec<[f32; 6]> {
+    let blocks = |ball: &Sphere, from: Vec3, r: Vec3| {
+        let way = Interval::new(0.0, r.length());
+        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
+    };
+    weighed(q, FINE, blocks, |u| {
+        let Vec2 { x, y } = u - 0.5;
+        let weights = [1.0, x, y, x * x - 1.0 / 12.0, y * y - 1.0 / 12.0, x * y];
+        (u, weights)
+    })
 }

@@ -17,7 +17,7 @@ pub mod latlong;
 
 use crate::image::{Image, rgb::Rgb};
 use crate::light::{Light, LightHit, LightSample, extent::shine};
-use crate::math::piecewise::{Choice, Piecewise};
+use crate::math::piecewise::Piecewise;
 use crate::math::{dir3::Dir3, ray::Ray};
 use glam::{Vec2, Vec3};
 use std::f64::consts::TAU;
@@ -94,15 +94,10 @@ impl Environment {
     pub fn choose(&self, u: Vec2) -> Option<Dir3> {
         let row = self.rows.choose(u.y)?;
         let column = self.columns[row.cell].choose(u.x)?;
-        Some(self.within(column, row))
-    }
-
-    /// The direction at a place in the texel of this column and this row.
-    fn within(&self, column: Choice, row: Choice) -> Dir3 {
         let (top, bottom) = (self.edges[row.cell], self.edges[row.cell + 1]);
         let cosine = top + (bottom - top) * f64::from(row.within);
         let turn = (column.cell as f32 + column.within) / self.map.width() as f32;
-        latlong::toward(turn, cosine)
+        Some(latlong::toward(turn, cosine))
     }
     // ANCHOR_END: sample_environment
 
@@ -126,9 +121,10 @@ impl Environment {
         TAU * (self.edges[row] - self.edges[row + 1]) / self.map.width() as f64
     }
 
-    /// The radiance of a texel, and the density of its directions, [`Environment::density`]. The texel's solid angle is a factor of
-    /// its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
-    fn shines(&self, (x, y): (usize, usize)) -> (Rgb, f32) {
+    /// The radiance that comes from a direction, and the density of the direction, [`Environment::density`]. The texel's solid
+    /// angle is a factor of its probability too, and cancels: the density is the texel's luminance over ∫ L dω of all directions.
+    fn shines(&self, toward: Dir3) -> (Rgb, f32) {
+        let (x, y) = self.texel(toward);
         let radiance = self.map.at(x, y);
         let density = f64::from(radiance.luminance()) / self.light;
         (radiance, density as f32)
@@ -143,18 +139,17 @@ impl Environment {
 }
 
 impl Light for Environment {
-    /// As [`Environment::choose`]. Radiance and density are both those of the texel that was chosen. At its edge, by rounding, the
-    /// direction may belong to the neighbour: the sun's radiance over a dark neighbour's density would be a firefly.
+    /// Radiance and density are both looked up for the direction. At a texel's edge, by rounding, the direction may belong to the
+    /// neighbour of the texel that was chosen: the sun's radiance over a dark neighbour's density would be a firefly.
     fn sample(&self, _at: Vec3, u: Vec2) -> Option<LightSample> {
-        let row = self.rows.choose(u.y)?;
-        let column = self.columns[row.cell].choose(u.x)?;
-        let (radiance, pdf) = self.shines((column.cell, row.cell));
-        shine(self.within(column, row), f32::INFINITY, radiance, pdf)
+        let toward = self.choose(u)?;
+        let (radiance, pdf) = self.shines(toward);
+        shine(toward, f32::INFINITY, radiance, pdf)
     }
 
     fn seen(&self, ray: &Ray, farthest: f32) -> Option<LightHit> {
         (farthest == f32::INFINITY).then(|| {
-            let (radiance, pdf) = self.shines(self.texel(ray.direction));
+            let (radiance, pdf) = self.shines(ray.direction);
             LightHit {
                 t: farthest,
                 radiance,

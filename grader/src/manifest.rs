@@ -95,7 +95,7 @@ fn section<'a>(manifest: &'a str, title: &str) -> &'a str {
     found.map_or("", |(_, text)| text)
 }
 
-/// The sections with their titles (`[bin]` for one of several), in order.
+/// The sections with their titles (`[bin]` for one of several), in order; what a comment says beside a title is left out.
 fn sections(manifest: &str) -> impl Iterator<Item = (&str, &str)> {
     let parts = manifest.split("\n[").enumerate();
     parts.filter_map(|(i, part)| {
@@ -104,8 +104,9 @@ fn sections(manifest: &str) -> impl Iterator<Item = (&str, &str)> {
         } else {
             part
         };
-        let (title, text) = part.split_once("]\n")?;
-        Some((title, text))
+        let (header, text) = part.split_once('\n')?;
+        let header = header.split(" #").next()?;
+        Some((header.strip_suffix(']')?, text))
     })
 }
 

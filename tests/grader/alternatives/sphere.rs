@@ -6,13 +6,19 @@ use glam::DVec3;
 pub const ALTERNATIVES: &[Alternative] = &[
     Alternative {
         exercise: "solve_quadratic",
-        method: "by completing the square, and the root nearer to 0 by Vieta's formula, in f64",
+        method: "the schoolbook's formula in f64",
         answer: |q| {
-            let (a, b, c) = (q.number(), q.number(), q.number());
-            let root = real(a, b, c)?;
+            let (a, b, root) = discriminant(q)?;
+            sorted((-b - root) / (2.0 * a), (-b + root) / (2.0 * a))
+        },
+    },
+    Alternative {
+        exercise: "solve_quadratic",
+        method: "by completing the square, in f64",
+        answer: |q| {
+            let (a, b, root) = discriminant(q)?;
             let (middle, half) = (-b / (2.0 * a), (root / (2.0 * a)).abs());
-            let far = middle + half.copysign(middle);
-            sorted(far, if far == 0.0 { 0.0 } else { c / (a * far) })
+            sorted(middle - half, middle + half)
         },
     },
     Alternative {
@@ -130,7 +136,12 @@ fn normal(q: &mut Question, of: fn(DVec3, f64) -> DVec3) -> Answer {
     Some(of(p - center, r).to_array().to_vec())
 }
 
-/// √(b² − 4ac), where that is real.
+/// a, b and √(b² − 4ac), where that is real.
+fn discriminant(q: &mut Question) -> Option<(f64, f64, f64)> {
+    let (a, b, c) = (q.number(), q.number(), q.number());
+    Some((a, b, real(a, b, c)?))
+}
+
 fn real(a: f64, b: f64, c: f64) -> Option<f64> {
     let d = b * b - 4.0 * a * c;
     (a != 0.0 && d >= 0.0).then(|| d.sqrt())

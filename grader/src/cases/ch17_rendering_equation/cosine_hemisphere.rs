@@ -16,7 +16,7 @@ fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
-/// So many directions that a gap among them is none by chance.
+/// Number of directions of a further question: enough that a gap among them is none by chance.
 const MANY: u32 = 1000;
 
 /// Whether many directions leave no gap on their way round the normal, nor between their heights.

@@ -373,47 +373,17 @@ impl Graded for GridWalk {
         Mistake {
             name: "never goes on to the next cell along x",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
-            answer: |q| {
-                let (moves, is_clipped) = ([false, true, true], true);
-                added(
-                    q,
-                    &Adding {
-                        moves,
-                        is_clipped,
-                        ..ADDING
-                    },
-                )
-            },
+            answer: |q| stuck(q, [false, true, true]),
         },
         Mistake {
             name: "never goes on to the next cell along y",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
-            answer: |q| {
-                let (moves, is_clipped) = ([true, false, true], true);
-                added(
-                    q,
-                    &Adding {
-                        moves,
-                        is_clipped,
-                        ..ADDING
-                    },
-                )
-            },
+            answer: |q| stuck(q, [true, false, true]),
         },
         Mistake {
             name: "never goes on to the next cell along z",
             hint: "A plane is crossed: along its axis, which number of the cell changes, whichever of the three axes it is?",
-            answer: |q| {
-                let (moves, is_clipped) = ([true, true, false], true);
-                added(
-                    q,
-                    &Adding {
-                        moves,
-                        is_clipped,
-                        ..ADDING
-                    },
-                )
-            },
+            answer: |q| stuck(q, [true, true, false]),
         },
         Mistake {
             name: "says how long the ray stays in a cell, not where it leaves",
@@ -536,4 +506,17 @@ fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
             ..visit
         })
         .collect()
+}
+
+/// A walk on which the cell changes along some axes only.
+fn stuck(q: &GridWalk, moves: [bool; 3]) -> Vec<Visit> {
+    let is_clipped = true;
+    added(
+        q,
+        &Adding {
+            moves,
+            is_clipped,
+            ..ADDING
+        },
+    )
 }

@@ -11,8 +11,8 @@ use raybook::render::film::Film;
 use raybook::render::path::Path;
 use std::time::Instant;
 
-/// Samples per pixel.
-const COUNTS: [usize; 6] = [1, 2, 4, 8, 16, 32];
+/// Samples per pixel, as powers of 2.
+const POWERS: std::ops::RangeInclusive<u32> = 0..=5;
 
 /// Samples per pixel, milliseconds for a picture, and the error of the picture.
 type Measured = [f64; 3];
@@ -30,7 +30,6 @@ pub(super) fn plot(film: &Film) -> Figure {
         let film = Film {
             width: (40.0 * aspect) as usize,
             height: 40,
-            samples: COUNTS[COUNTS.len() - 1],
             ..*film
         };
         (name, measure(&view, &film, depth))
@@ -68,11 +67,19 @@ fn measure(view: &View, film: &Film, depth: u32) -> Vec<Vec<Measured>> {
             strategy,
         };
         let start = Instant::now();
-        let scattered = view.scatter(film, path, &COUNTS);
-        // Two pictures; each point of the curve is of their first samples, which cost all the same.
-        let cost = 1000.0 * start.elapsed().as_secs_f64() / (2 * film.samples) as f64;
-        let point = |(samples, (_, error))| [samples as f64, samples as f64 * cost, error];
-        COUNTS.into_iter().zip(scattered).map(point).collect()
+        let errors: Vec<_> = POWERS
+            .map(|p| {
+                let samples = 1 << p;
+                let (_, error) = view.scatter(&Film { samples, ..*film }, path);
+                (samples as f64, error)
+            })
+            .collect();
+        // Two pictures for each number of samples. A sample costs the same in all pictures, so all are timed together: timed
+        // alone, the shortest would have the largest error.
+        let all: f64 = errors.iter().map(|(samples, _)| 2.0 * samples).sum();
+        let cost = 1000.0 * start.elapsed().as_secs_f64() / all;
+        let point = |(samples, error)| [samples, samples * cost, error];
+        errors.into_iter().map(point).collect()
     };
     STRATEGIES
         .into_iter()

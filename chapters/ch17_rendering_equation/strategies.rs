@@ -6,8 +6,7 @@ use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
-use raybook::render::film::{Film, place_in_pixel};
-use raybook::render::followed::Followed;
+use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::scene::world::Scene;
@@ -76,64 +75,34 @@ impl View {
         })
     }
 
-    /// Path-traced pictures with their noise, ready to be displayed: each of the first n samples of every pixel, for these n.
-    fn roll(&self, film: &Film, path: Path, counts: &[usize]) -> Vec<Image> {
-        let pixels = film.each_pixel(&|x, y, rng| {
-            let point = place_in_pixel(film.samples, rng);
-            let (mut sum, mut means) = (Followed::default(), Vec::new());
-            for i in 0..film.samples {
-                let ray = self.camera.ray(film.place([x, y], point(i)), Vec2::ZERO);
-                let seen = path.follow(&self.scene, &ray, rng);
-                sum = [sum, seen].into_iter().sum();
-                if counts.contains(&(i + 1)) {
-                    means.push(sum.mean_of(i + 1).radiance * self.exposure);
-                }
-            }
-            (means, sum.rays)
-        });
-        let picture = |i: usize| {
-            // A pixel that was not drawn, because the film was ended, has no mean.
-            let pixel = |x: usize, y: usize| {
-                pixels[y * film.width + x]
-                    .get(i)
-                    .copied()
-                    .unwrap_or_default()
-            };
-            Image::from_fn(film.width, film.height, pixel)
-        };
-        (0..counts.len()).map(picture).collect()
+    /// A path-traced picture with its noise, ready to be displayed.
+    fn roll(&self, film: &Film, path: Path) -> Image {
+        let ray = |place| self.camera.ray(place, Vec2::ZERO);
+        let picture = film.sample(|at, rng| path.follow(&self.scene, &ray(at), rng));
+        picture.map(|v| v * self.exposure)
     }
 
-    /// For the first n samples of every pixel, for each of these n: the mean of two pictures with different seeds, and the relative
-    /// RMS error of one of them.
-    pub(super) fn scatter(&self, film: &Film, path: Path, counts: &[usize]) -> Vec<(Image, f64)> {
+    /// The mean of two pictures with different seeds, and the relative RMS error of one of them: half of the mean square
+    /// difference between the two is the mean square error of either. The error is relative to the mean value; values are those
+    /// that a display shows, at most 1.
+    pub(super) fn scatter(&self, film: &Film, path: Path) -> (Image, f64) {
         let other = Film {
             seed: !film.seed,
             ..*film
         };
-        let [one, other] = [film, &other].map(|film| self.roll(film, path, counts));
-        one.iter()
-            .zip(&other)
-            .map(|(one, other)| compared(one, other))
-            .collect()
+        let [one, other] = [film, &other].map(|film| self.roll(film, path));
+        let shown = |picture: &Image| -> Vec<f64> {
+            let channels = picture.pixels().iter().flat_map(|p| p.channels());
+            channels.map(|v| f64::from(v.min(1.0))).collect()
+        };
+        let (a, b) = (shown(&one), shown(&other));
+        let squares: f64 = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum();
+        let (count, sum) = (a.len() as f64, a.iter().sum::<f64>());
+        let mean = Image::from_fn(film.width, film.height, |x, y| {
+            one.at(x, y).lerp(other.at(x, y), 0.5)
+        });
+        (mean, (0.5 * squares / count).sqrt() / (sum / count))
     }
-}
-
-/// The mean of two pictures with different random numbers, and the relative RMS error of one of them: half of the mean square
-/// difference between the two is the mean square error of either. The error is relative to the mean value; values are those that
-/// a display shows, at most 1.
-fn compared(one: &Image, other: &Image) -> (Image, f64) {
-    let shown = |picture: &Image| -> Vec<f64> {
-        let channels = picture.pixels().iter().flat_map(|p| p.channels());
-        channels.map(|v| f64::from(v.min(1.0))).collect()
-    };
-    let (a, b) = (shown(one), shown(other));
-    let squares: f64 = a.iter().zip(&b).map(|(a, b)| (a - b).powi(2)).sum();
-    let (count, sum) = (a.len() as f64, a.iter().sum::<f64>());
-    let mean = Image::from_fn(one.width(), one.height(), |x, y| {
-        one.at(x, y).lerp(other.at(x, y), 0.5)
-    });
-    (mean, (0.5 * squares / count).sqrt() / (sum / count))
 }
 
 /// The plates by the three strategies, with the same number of samples, and the error of each picture.
@@ -150,11 +119,10 @@ pub(super) fn figure(film: &Film) -> Result<Image, Box<dyn Error>> {
             roulette_after: 1,
             strategy,
         };
-        for (picture, of_half) in view.scatter(&half, path, &[half.samples]) {
-            // Two independent halves are √2 times as good as either.
-            let error = of_half * FRAC_1_SQRT_2;
-            tiles.push((format!("{name}: error {:.0} %", 100.0 * error), picture));
-        }
+        let (picture, of_half) = view.scatter(&half, path);
+        // Two independent halves are √2 times as good as either.
+        let error = of_half * FRAC_1_SQRT_2;
+        tiles.push((format!("{name}: error {:.0} %", 100.0 * error), picture));
     }
     sheet(STRATEGIES.len(), &tiles)
 }

@@ -12,7 +12,6 @@
 //! ```
 
 pub mod aabb;
-pub mod angle;
 pub mod basis;
 pub mod dir3;
 pub mod domain;

@@ -10,7 +10,7 @@
 //! ```
 
 use crate::math::domain::LARGEST;
-use crate::math::{aabb::Aabb, angle::angle, dir3::Dir3, interval::Interval, quadratic, ray::Ray};
+use crate::math::{aabb::Aabb, dir3::Dir3, interval::Interval, quadratic, ray::Ray};
 use crate::shape::{Hit, ROUNDING, Shape, Surface};
 use glam::{Vec2, Vec3, vec2};
 use std::f32::consts::{PI, TAU};
@@ -124,18 +124,20 @@ impl Shape for Sphere {
         let position = self.center + self.radius * *normal;
         let error = ROUNDING * (self.center.abs().max_element() + self.radius);
         // At the latitude φ, u grows by 1 over 2πr cos φ metres to the east, and v by 1 over πr metres to the north.
-        let cosine = (1.0 - normal.y * normal.y).max(0.0).sqrt();
-        let area = 2.0 * PI * PI * cosine.max(f32::EPSILON.sqrt());
+        let cosine = (1.0 - normal.y * normal.y).max(f32::EPSILON).sqrt();
         Surface {
-            texture: longitude_latitude(normal, cosine),
-            texture_per_metre: area.sqrt().recip() / self.radius,
+            texture: longitude_latitude(normal),
+            texture_per_metre: (2.0 * PI * PI * cosine).sqrt().recip() / self.radius,
             ..Surface::flat(position, error, normal)
         }
     }
 }
 
 /// Longitude and latitude as texture coordinates in [0, 1]²: u = ½ at +z, growing to the east, towards +x; v from the south pole
-/// (−y), 0, to the north pole, 1. `cosine` is that of the latitude.
-fn longitude_latitude(n: Dir3, cosine: f32) -> Vec2 {
-    vec2(angle(n.x, n.z) / TAU + 0.5, angle(n.y, cosine) / PI + 0.5)
+/// (−y), 0, to the north pole, 1.
+fn longitude_latitude(n: Dir3) -> Vec2 {
+    vec2(
+        n.x.atan2(n.z) / TAU + 0.5,
+        n.y.clamp(-1.0, 1.0).asin() / PI + 0.5,
+    )
 }

@@ -39,9 +39,8 @@ pub const ALTERNATIVES: &[Alternative] = &[
         method: "a point of the unit sphere added to the normal",
         answer: |q| {
             images(q, |u, basis| {
-                let (z, phi) = (1.0 - 2.0 * u.x, TAU * u.y);
-                let r = (1.0 - z * z).sqrt();
-                basis(DVec3::new(r * phi.cos(), r * phi.sin(), z + 1.0).normalize())
+                let point = on_sphere(1.0 - 2.0 * u.x, TAU * u.y);
+                basis((DVec3::Z + point).normalize())
             })
         },
     },
@@ -50,9 +49,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
         method: "a point of the unit sphere, whose poles are the world's, added to the normal",
         answer: |q| {
             images(q, |u, basis| {
-                let (height, phi) = (1.0 - 2.0 * u.y, TAU * u.x);
-                let r = (1.0 - height * height).sqrt();
-                let point = DVec3::new(r * phi.cos(), height, r * phi.sin());
+                let point = on_sphere(1.0 - 2.0 * u.y, TAU * u.x);
                 (basis(DVec3::Z) + point).normalize()
             })
         },
@@ -78,6 +75,12 @@ pub const ALTERNATIVES: &[Alternative] = &[
         },
     },
 ];
+
+/// The point of the unit sphere at this z and this angle around z.
+fn on_sphere(z: f64, phi: f64) -> DVec3 {
+    let r = (1.0 - z * z).sqrt();
+    DVec3::new(r * phi.cos(), r * phi.sin(), z)
+}
 
 /// The images of the question's lattice, by a warp that is given a point and what takes the z axis to the normal.
 fn images(q: &mut Question, warp: fn(DVec2, &dyn Fn(DVec3) -> DVec3) -> DVec3) -> Answer {

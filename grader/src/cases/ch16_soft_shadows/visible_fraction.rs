@@ -1,10 +1,11 @@
 //! `visible_fraction`: random questions, judge and mistakes.
 
 mod fractions;
+mod leanings;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use fractions::{FINE, exact, leaning, seen, seen_past, to_the_corners};
+use fractions::{FINE, exact, seen, seen_past, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
@@ -21,31 +22,6 @@ const TINY: f32 = 0.003;
 
 /// How near a ball's border may be to the way to a light, in radii, with no doubt on which side the way is.
 const BESIDE: f32 = 0.01;
-
-/// Samples of the question that is asked again and again, to see whether each fraction has random numbers of its own.
-const AGAIN: u32 = 250;
-
-/// Whether no two answers to that question, eight at least, are alike, nor the fractions of its points, which are one point. Who takes the same
-/// places on the light each time is off to the same side each time, and rightly so.
-fn are_independent(answers: &[(VisibleFraction, Vec<f32>)]) -> bool {
-    let again = answers.iter().filter(|(q, _)| q.samples == AGAIN);
-    let again: Vec<_> = again.map(|(_, got)| got).collect();
-    let is_new = |i: usize| !again[..i].contains(&again[i]);
-    let is_shared = |got: &&Vec<f32>| got.windows(2).all(|two| two[0] == two[1]);
-    again.len() >= 8 && (0..again.len()).all(is_new) && !again.iter().any(is_shared)
-}
-
-/// What may be slightly wrong with the places on the light, in the order of `leaning`, and with the fractions: that they are some share too large, or
-/// that some share of what is hidden is taken for seen.
-const LEANINGS: [&str; 7] = [
-    "the far side of the light along a were chosen too",
-    "the far side of the light along b were chosen too",
-    "the borders of the light along a were chosen too",
-    "the borders of the light along b were chosen too",
-    "the ends of a diagonal of the light were chosen too",
-    "a sample that is seen were counted too",
-    "a sample that is hidden were counted too",
-];
 
 impl Graded for VisibleFraction {
     /// The share of a whole light has no edges at which a last digit decides.
@@ -143,64 +119,13 @@ impl Graded for VisibleFraction {
         Ok(())
     }
 
-    /// What is slightly wrong in the places on the light shifts each fraction a little, in a direction that is known: the sum of all fractions' shares in
-    /// that direction is normally distributed (the score test, Rao 1948). Each of the seven is beyond its bound by chance with 4e-10.
     fn together(answers: &[(VisibleFraction, Vec<f32>)], bounds: Bounds) -> Verdict {
-        const DEVIATIONS: f64 = 6.25;
-        /// The standard deviation of what the lattice that stands for the exact value is off.
-        const LATTICE: f64 = 0.004;
-        /// Nearer to 0 and 1 the fractions are not distributed normally.
-        const BETWEEN: std::ops::Range<f64> = 0.02..0.98;
-        if !are_independent(answers) {
-            return Ok(());
-        }
-        let (mut sums, mut variances) = ([0.0; LEANINGS.len()], [0.0; LEANINGS.len()]);
-        for (q, got) in answers.iter().filter(|(q, _)| q.samples > AGAIN) {
-            for (point, got) in leaning(q).into_iter().zip(got) {
-                let [f, leanings @ ..] = point.map(f64::from);
-                if !BETWEEN.contains(&f) {
-                    continue;
-                }
-                let variance = f * (1.0 - f) / f64::from(q.samples) + LATTICE * LATTICE;
-                let directions = leanings.into_iter().chain([f, 1.0 - f]);
-                for (i, direction) in directions.enumerate() {
-                    sums[i] += direction * (f64::from(*got) - f) / variance;
-                    variances[i] += direction * direction / variance;
-                }
-            }
-        }
-        let deviations = |i: usize| sums[i] / f64::max(variances[i], f64::MIN_POSITIVE).sqrt();
-        let size = |i: &usize| deviations(*i).abs();
-        let most = (0..LEANINGS.len()).max_by(|i, j| size(i).total_cmp(&size(j)));
-        match most.filter(|i| size(i) > bounds.of(DEVIATIONS)) {
-            Some(i) => Err(format!(
-                "the fractions are as if {} {}: by {:.1} standard deviations, which chance does not explain",
-                LEANINGS[i],
-                if deviations(i) > 0.0 {
-                    "often"
-                } else {
-                    "seldom"
-                },
-                size(&i)
-            )),
-            None => Ok(()),
-        }
+        leanings::together(answers, bounds)
     }
 
     /// One question again and again; then others, for who is in doubt.
     fn further(rng: &mut Pcg) -> Vec<VisibleFraction> {
-        let again = VisibleFraction {
-            corner: vec3(-1.0, 4.0, -1.0),
-            a: 2.0 * Vec3::X,
-            b: 2.0 * Vec3::Z,
-            points: vec![Vec3::ZERO; 4],
-            balls: vec![Ball {
-                center: 2.0 * Vec3::Y,
-                radius: 0.35,
-            }],
-            samples: AGAIN,
-        };
-        let mut questions = vec![again; 8];
+        let mut questions = leanings::again();
         questions.resize_with(64, || Self::random(rng));
         questions
     }

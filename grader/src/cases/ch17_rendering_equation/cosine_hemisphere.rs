@@ -166,7 +166,7 @@ impl Graded for CosineHemisphere {
             .try_for_each(|(q, got)| fills(q, got))
     }
 
-    /// Of so many directions, the gaps tell more than the means.
+    /// Eight questions of n = 1000 directions, whose gaps tell more than their means.
     fn further(rng: &mut Pcg) -> Vec<CosineHemisphere> {
         let normals = (0..8).map(|_| sample::direction(rng));
         normals

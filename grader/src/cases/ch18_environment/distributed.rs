@@ -89,8 +89,6 @@ pub fn distributed(q: &SampleEnvironment, directions: &[Vec3]) -> Verdict {
 /// the texel too): no gap is wider than 0.0051 of a texel, the shares of a texel are at most 0.0070 off, and the mean logarithm of the light at most
 /// 0.0098 of its standard deviation. Weights of the radiance to the power of 1.05 or 0.95 are 0.029 off at least.
 pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
-    const GAP: f64 = 0.008;
-    const SHARE: f64 = 0.012;
     const LIGHT: f64 = 0.018;
     let (mut within, mut off, mut maps) = ([Vec::new(), Vec::new()], 0.0, 0.0);
     for (q, got) in answers {
@@ -118,30 +116,38 @@ pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
             maps += 1.0;
         }
     }
-    for (places, what) in within.iter_mut().zip([
+    for (places, what) in within.into_iter().zip([
         "of a texel's width, from its left edge",
         "of a texel's height, by area from its upper edge",
     ]) {
-        let [from, to] = widest_gap(places.iter().copied().chain([0.0, 1.0]));
-        if to - from > GAP {
-            return Err(format!("no direction is from {from:.3} to {to:.3} {what}"));
-        }
-        places.sort_by(f64::total_cmp);
-        let n = places.len() as f64;
-        let of = |(i, v): (usize, &f64)| (i as f64 / n, *v);
-        let most = places.iter().enumerate().map(of);
-        let most = most.max_by(|a, b| (a.0 - a.1).abs().total_cmp(&(b.0 - b.1).abs()));
-        if let Some((share, v)) = most.filter(|(share, v)| (share - v).abs() > SHARE) {
+        are_uniform(places, what)?;
+    }
+    if maps > 0.0 && f64::abs(off / maps) > LIGHT {
+        let how = if off > 0.0 { "bright" } else { "dark" };
+        return Err(format!("{how} texels are chosen slightly too often"));
+    }
+    Ok(())
+}
+
+/// Whether places in texels, as shares of a width or a height, go from 0 to 1 without a gap, and equally many to each part.
+fn are_uniform(mut places: Vec<f64>, what: &str) -> Verdict {
+    const GAP: f64 = 0.008;
+    const SHARE: f64 = 0.012;
+    let [from, to] = widest_gap(places.iter().copied().chain([0.0, 1.0]));
+    if to - from > GAP {
+        return Err(format!("no direction is from {from:.3} to {to:.3} {what}"));
+    }
+    places.sort_by(f64::total_cmp);
+    let n = places.len() as f64;
+    for (i, v) in places.into_iter().enumerate() {
+        let share = i as f64 / n;
+        if (share - v).abs() > SHARE {
             return Err(format!(
                 "{:.1} % of the directions are in the first {:.1} % {what}",
                 100.0 * share,
                 100.0 * v
             ));
         }
-    }
-    if maps > 0.0 && f64::abs(off / maps) > LIGHT {
-        let how = if off > 0.0 { "bright" } else { "dark" };
-        return Err(format!("{how} texels are chosen slightly too often"));
     }
     Ok(())
 }

@@ -34,11 +34,16 @@ pub(super) fn seen(
     place: fn(Vec2) -> Vec2,
     ends: [f32; 2],
 ) -> Vec<f32> {
-    seen_past(q, n, place, |ball, from, r| {
+    seen_past(q, n, place, between(ends))
+}
+
+/// Whether a ball blocks the way from a point along a vector that ends at the light, between `ends` times its length.
+pub(super) fn between(ends: [f32; 2]) -> impl Fn(&Sphere, Vec3, Vec3) -> bool {
+    move |ball, from, r| {
         let [begin, end] = ends.map(|end| end * r.length());
         let way = Interval::new(begin, end);
         Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
-    })
+    }
 }
 
 /// The fractions by the points of the light to which an n × n lattice is mapped, and by whether a ball blocks the way from a
@@ -54,7 +59,7 @@ pub(super) fn seen_past(
 }
 
 /// For each point the means of several weights over the places of the light that it sees, where what it does not see counts as 0.
-fn weighed<const N: usize>(
+pub(super) fn weighed<const N: usize>(
     q: &VisibleFraction,
     n: u32,
     blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
@@ -79,18 +84,4 @@ fn weighed<const N: usize>(
         sums.map(|sum| sum / (n * n) as f32)
     };
     q.points.iter().map(means).collect()
-}
-
-/// For each point the fraction, and by how much it is larger where places on the light are chosen a little more often: on one side along a or b, at
-/// both borders along a or b, at the ends of a diagonal.
-pub(super) fn leaning(q: &VisibleFraction) -> Vec<[f32; 6]> {
-    let blocks = |ball: &Sphere, from: Vec3, r: Vec3| {
-        let way = Interval::new(0.0, r.length());
-        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), way))
-    };
-    weighed(q, FINE, blocks, |u| {
-        let Vec2 { x, y } = u - 0.5;
-        let weights = [1.0, x, y, x * x - 1.0 / 12.0, y * y - 1.0 / 12.0, x * y];
-        (u, weights)
-    })
 }

@@ -14,10 +14,12 @@ use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
 use raybook::image::Image;
 use raybook::image::denoise::Guide;
+use raybook::render::clamped::Clamped;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
+use raybook::scene::cornell;
 use std::cell::LazyCell;
 use std::process::ExitCode;
 use strategies::View;
@@ -56,7 +58,7 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let film = stage.film_of(400, 16, 1.0);
+    let film = stage.film_of(480, 16, 1.0);
     let cornell_box = View::cornell_box()?;
     let path = Path {
         depth: knobs.depth.unwrap_or(ALL.depth),
@@ -97,17 +99,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             |depth| format!("with a maximum depth of {depth}"),
         );
         let global = global.as_str();
+        let few = film.halved().halved();
+        let direct = denoised(&few, &box_guides, &cornell_box, Path { depth: 1, ..path });
+        // The averages of pixels that a smaller picture has are less noisy.
+        let small = |image: &Image| {
+            image.resized((3 * film.width).div_ceil(4), (3 * film.height).div_ceil(4))
+        };
         let tiles = [
-            (
-                "light straight from the lamp",
-                denoised(
-                    &film.halved(),
-                    &box_guides,
-                    &cornell_box,
-                    Path { depth: 1, ..path },
-                ),
-            ),
-            (global, picture.clone()),
+            ("light straight from the lamp", small(&direct)),
+            (global, small(&picture)),
         ];
         let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
         stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
@@ -116,10 +116,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("caustic") {
         let caption = format!(
             "A mirror and glass in the box.{limit} From three surfaces on, there is a bright spot below the glass \
-            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. A pixel that \
-            one rare path makes much brighter than its neighbours is limited."
+            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. Paths that find \
+            much more light than most are limited, which leaves fewer white dots, and makes the caustic darker."
         );
-        let (film, balls) = (stage.film_of(320, 16, 1.0), View::with_balls()?);
+        let (film, balls) = (stage.film_of(384, 16, 1.0), View::with_balls()?);
         let caustic = denoised(&film, &guides(&film, &balls), &balls, path);
         stage.figure("caustic", &caption, &caustic)?;
     }
@@ -146,7 +146,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 }
 
 /// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the mean radiance is exposed.
+///
+/// The radiance of each sample is clamped to a seventh of the lamp's, which is still displayed as white: so the lamp's edges have no
+/// stairs. Of the light that surfaces reflect, this takes next to nothing, but for a caustic.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
+    let path = Clamped {
+        integrator: path,
+        brightest: cornell::LAMP.max_channel() / 7.0,
+    };
     let radiance = film.render(&view.camera, &Sampler::Even, &path, &view.scene);
     radiance.map(|v| v * view.exposure)
 }

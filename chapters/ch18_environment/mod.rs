@@ -10,14 +10,15 @@ pub mod skies;
 pub mod uniform_environment;
 
 use crate::kit::chapter;
+use crate::kit::plate;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
+use glam::Vec2;
 use raybook::image::denoise::Guide;
 use raybook::image::{Image, file, tone};
-use raybook::light::Light;
 use raybook::light::environment::Environment;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
@@ -25,6 +26,7 @@ use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
 use raybook_scenes::wrong::TextError;
 use raybook_scenes::{Shot, gallery};
+use skies::Sky;
 use std::path::PathBuf;
 use std::process::ExitCode;
 use uniform_environment::UniformEnvironment;
@@ -59,16 +61,19 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return stage.picture("picture", &caption, &picture);
     }
     let tile = stage.tile(2, 1.6);
-    let maps = skies::FOUR.map(|sky| skies::map(sky, 1024));
+    let maps = skies::FOUR.map(|sky| skies::map(sky, 512));
     let [day, sunset, overcast, studio] = &maps;
     if stage.wants("picture") {
         let guides = guides(&tile)?;
-        let under = |map: &Image| denoised(&tile, &guides, map.clone());
+        let under = |sky: Sky, map: &Image| {
+            let lit = denoised(&tile, &guides, map.clone())?;
+            before(&tile, sky, map, &lit)
+        };
         let lit = [
-            under(day)?,
-            under(sunset)?,
-            under(overcast)?,
-            under(studio)?,
+            under(skies::clear_day, day)?,
+            under(skies::sunset, sunset)?,
+            under(skies::overcast, overcast)?,
+            under(skies::studio, studio)?,
         ];
         let caption = "All light comes from the map: a clear day, a sunset, an overcast sky, a studio with two softboxes. A \
             filter has removed the remaining noise.";
@@ -108,19 +113,31 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let few = tile.halved();
     let uniform = Box::new(UniformEnvironment(Environment::new(day.clone())));
     let by_light = Box::new(Environment::new(day.clone()));
+    let picture = |light| {
+        let lit = photograph(&few, &gallery::STILL_LIFE.under(light, few.width)?);
+        before(&few, skies::clear_day, day, &lit)
+    };
     let tiles = [
-        ("uniform directions", picture(&few, uniform)?),
-        ("directions by their light", picture(&few, by_light)?),
+        ("uniform directions", picture(uniform)?),
+        ("directions by their light", picture(by_light)?),
     ];
     let caption = "The clear day with the same number of samples. More than half of the light on level ground comes from the \
         sun, which uniform directions hardly ever meet.";
     stage.figure("importance", caption, &sheet(2, &tiles)?)
 }
 
-/// The still life under one light.
-fn picture(film: &Film, light: Box<dyn Light>) -> Result<Image, TextError> {
-    let view = gallery::STILL_LIFE.under(light, film.width)?;
-    Ok(photograph(film, &view))
+/// A picture of the still life in the light of a map, with the sky of which the map is made behind it: a texel of the map is as large
+/// as many pixels.
+fn before(film: &Film, sky: Sky, map: &Image, lit: &Image) -> Result<Image, TextError> {
+    let view = gallery::STILL_LIFE.shot(film.width)?;
+    let map = Environment::new(map.clone());
+    let toward = |place| view.camera.ray(place, Vec2::ZERO).direction;
+    // Sky and map are similar, so few samples hide the seam.
+    let few = film.halved().halved();
+    let open = plate::open(&few, &*view.camera, &view.scene);
+    let seen = few.sample(|place, _| map.radiance(toward(place)));
+    let sky = few.sample(|place, _| sky(toward(place)));
+    Ok(plate::before(&sky, &seen, &open, lit))
 }
 
 /// What the camera sees, which is the same under every light.

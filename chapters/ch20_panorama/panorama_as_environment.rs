@@ -1,6 +1,7 @@
 //! Uses of a panorama as an environment map: the panorama shows its scene again, and it lights other scenes.
 
 use super::all_around::wide;
+use crate::kit::plate;
 use crate::kit::sheet::sheet;
 use glam::{Vec2, Vec3, vec3};
 use raybook::camera::Camera;
@@ -70,14 +71,10 @@ pub(super) fn lit(
     // Nearer than in chapter 18, so that more of the panorama is seen.
     let (eye, to) = (vec3(0.5, 1.2, 4.3), vec3(0.0, 0.66, 0.0));
     let at = |eye, to| Pinhole::look_at(eye, to, Vec3::Y, 0.024, film.aspect());
-    let (camera, plate) = (at(eye, to)?, photograph(film, &at(from, from + to - eye)?));
-    let ray = |place| camera.ray(place, Vec2::ZERO);
+    let (camera, photograph) = (at(eye, to)?, photograph(film, &at(from, from + to - eye)?));
     let shapes = gallery::STILL_LIFE.shot(film.width)?.scene;
     let guides = film.guides(&camera, &shapes);
-    let open = film.sample(|place, _| match shapes.closest(&ray(place)) {
-        Some(_) => Rgb::BLACK,
-        None => Rgb::WHITE,
-    });
+    let open = plate::open(film, &camera, &shapes);
     let path = Path {
         depth: 4,
         roulette_after: 2,
@@ -90,22 +87,14 @@ pub(super) fn lit(
     };
     let tile = |shown: fn(Rgb) -> Rgb| -> Result<Image, TextError> {
         let light = Environment::new(panorama.map().map(shown));
-        let behind = film.sample(|place, _| light.radiance(ray(place).direction));
+        let seen = film.sample(|place, _| light.radiance(camera.ray(place, Vec2::ZERO).direction));
         let scene = gallery::STILL_LIFE
             .under(Box::new(light), film.width)?
             .scene;
         let lit = film.denoised(&guides, |film| {
             film.render(&camera, &Sampler::Even, &path, &scene)
         });
-        Ok(Image::from_fn(film.width, film.height, |x, y| {
-            let [lit, open, behind, plate] =
-                [&lit, &open, &behind, &plate].map(|image| image.at(x, y));
-            if open == Rgb::WHITE {
-                shown(plate)
-            } else {
-                lit + open * (shown(plate) + behind * -1.0)
-            }
-        }))
+        Ok(plate::before(&photograph.map(shown), &seen, &open, &lit))
     };
     let tiles = [
         ("the panorama", tile(|radiance| radiance)?),

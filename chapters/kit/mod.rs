@@ -15,6 +15,7 @@ pub mod options;
 pub mod palette;
 pub mod paper;
 pub mod pen;
+pub mod plate;
 pub mod rate;
 pub mod say;
 pub mod sheet;

@@ -21,6 +21,7 @@ use glam::Vec2;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::camera::Camera;
+use raybook::sample::even::Even;
 use raybook::shape::mesh::Mesh;
 use std::cell::LazyCell;
 use std::process::ExitCode;
@@ -36,7 +37,7 @@ pub struct Knobs {
     #[arg(long, value_name = "100..2000000 pieces", default_value_t = 120_000)]
     pieces: u32,
     /// Rays towards the sky from each point that is seen
-    #[arg(long, value_name = "1..256 rays", default_value_t = 3)]
+    #[arg(long, value_name = "1..256 rays", default_value_t = 1)]
     sky_rays: u16,
 }
 
@@ -55,19 +56,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let camera = confetti::camera(film.aspect());
     if stage.wants("picture") {
         let rays = AtomicU64::new(0);
-        let picture = film.refine(|place, numbers| {
-            let seen = confetti.follow(
-                &camera.ray(place, Vec2::ZERO),
-                &tree,
-                knobs.sky_rays,
-                numbers,
-            );
+        let follow = |place, numbers: &mut Even| {
+            let ray = camera.ray(place, Vec2::ZERO);
+            let seen = confetti.follow(&ray, &tree, knobs.sky_rays, numbers);
             rays.fetch_add(seen.rays, Relaxed);
             seen
-        });
+        };
+        let picture = film.denoised(&[], |film| film.evenly(follow));
         let caption = format!(
-            "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: from each point that is seen, rays \
-            go towards the sky in {} directions, and one ray goes towards the sun.",
+            "A teapot in a heap of confetti, {} triangles. {:.1} million rays make this picture: from each point that is seen, one \
+            ray goes towards the sun, and {} towards the sky. A filter has removed the remaining noise.",
             grouped(confetti.mesh.triangles().len() as f64),
             rays.into_inner() as f64 / 1e6,
             knobs.sky_rays

@@ -50,23 +50,22 @@ pub struct Knobs {
 /// # Errors
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
-    let film = stage.film_of(960, 16, 16.0 / 9.0);
+    let film = stage.film_of(960, 8, 16.0 / 9.0);
     let Shot { scene, camera, .. } = gallery::POSTS.under(posts::square(knobs.lamp), film.width)?;
     let whitted = with_samples(knobs.rays);
     if stage.wants("picture") {
-        let picture = film.render(&*camera, &Sampler::Refined, &whitted, &scene);
+        let picture = film.denoised(&[], |film| {
+            film.render(&*camera, &Sampler::Refined, &whitted, &scene)
+        });
         let caption = format!(
             "Under a square light of {} m, shadows are sharp near the object that casts them, and become softer with the \
-            distance from it.",
+            distance from it. A filter has removed the noise.",
             knobs.lamp
         );
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let tile = Film {
-        samples: film.samples,
-        ..stage.tile(4, 1.0)
-    };
+    let tile = stage.tile(4, 1.0);
     let (from, to, focal_length) = posts::CLOSE;
     let close = Pinhole::look_at(from, to, Vec3::Y, focal_length, tile.aspect())?;
     if stage.wants("samples") {

@@ -135,7 +135,10 @@ impl<S: Shape> Accel<S> for Grid<S> {
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count) {
+            // Most cells are empty: a call less.
+            if !places.is_empty()
+                && let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count)
+            {
                 closest = Some(nearer);
             }
             // A hit beyond this cell does not end the walk: a shape of a later cell may be nearer.

@@ -128,8 +128,10 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) =
-                lists.nearest(places.unwrap_or_default(), &hit_by_ray, &mut within, count)
+            let list = places.unwrap_or_default();
+            // Most cells are empty: a call less.
+            if !list.is_empty()
+                && let Some(nearer) = lists.nearest(list, &hit_by_ray, &mut within, count)
             {
                 closest = Some(nearer);
             }

@@ -135,7 +135,6 @@ impl<S: Shape> Accel<S> for Grid<S> {
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            // Most cells are empty: a call less.
             if !places.is_empty()
                 && let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count)
             {
@@ -152,7 +151,8 @@ impl<S: Shape> Accel<S> for Grid<S> {
         if !blocked {
             let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places, |shape| blocks(shape, within));
+                blocked =
+                    !places.is_empty() && lists.block(places, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

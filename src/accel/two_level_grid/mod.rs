@@ -129,7 +129,6 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         self.visit(ray, within, |places, leave| {
             count.tested_box();
             let list = places.unwrap_or_default();
-            // Most cells are empty: a call less.
             if !list.is_empty()
                 && let Some(nearer) = lists.nearest(list, &hit_by_ray, &mut within, count)
             {
@@ -146,7 +145,8 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         if !blocked {
             let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places.unwrap_or_default(), |shape| blocks(shape, within));
+                let list = places.unwrap_or_default();
+                blocked = !list.is_empty() && lists.block(list, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

@@ -151,8 +151,7 @@ impl<S: Shape> Accel<S> for Grid<S> {
         if !blocked {
             let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked =
-                    !places.is_empty() && lists.block(places, |shape| blocks(shape, within));
+                blocked = !places.is_empty() && lists.block(places, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

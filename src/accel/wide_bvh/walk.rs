@@ -102,7 +102,14 @@ fn deeper<L: Lanes>(
     count: &mut impl Count,
 ) -> Nearest {
     let seeker = Seeker::new(ray, within.min, tree);
-    closest(lanes, tree, link, &seeker, Nearest::nothing(within.max), count)
+    closest(
+        lanes,
+        tree,
+        link,
+        &seeker,
+        Nearest::nothing(within.max),
+        count,
+    )
 }
 
 /// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.

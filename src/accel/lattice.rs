@@ -38,11 +38,13 @@ impl Lattice {
     }
 
     /// The box of all cells.
+    #[inline]
     pub fn bounds(&self) -> Aabb {
         self.bounds_of(UVec3::ZERO, self.resolution - UVec3::ONE)
     }
 
     /// The box of the cells from `first` to `last`, both included.
+    #[inline]
     pub fn bounds_of(&self, first: UVec3, last: UVec3) -> Aabb {
         Aabb {
             min: self.min + first.as_vec3() * self.cell,
@@ -68,6 +70,7 @@ impl Lattice {
     /// The cell that holds a point; for a point outside, the nearest cell along each axis.
     ///
     /// A point on a plane between two cells, up to rounding, may be in either cell.
+    #[inline]
     pub fn cell_at(&self, p: Vec3) -> UVec3 {
         // The conversion to an integer rounds down, makes 0 of negative numbers and of NaN (0/0: a box without extent),
         // and the largest integer of numbers that are too large.
@@ -82,12 +85,14 @@ impl Lattice {
     }
 
     /// The place of a cell in an array of all cells: along x first, then y, then z.
+    #[inline]
     pub fn index(&self, cell: UVec3) -> usize {
         index(cell, self.resolution)
     }
 }
 
 /// The place of a cell in an array of all cells of a resolution: along x first, then y, then z.
+#[inline]
 pub(crate) fn index(cell: UVec3, resolution: UVec3) -> usize {
     let (cell, along) = (cell.as_usizevec3(), resolution.as_usizevec3());
     cell.x + along.x * (cell.y + along.y * cell.z)

@@ -26,6 +26,7 @@ const SLACK: f32 = 16.0 * (f32::EPSILON / 2.0);
 
 impl RayBox {
     /// Prepares a ray.
+    #[inline]
     pub fn new(ray: &Ray) -> Self {
         let direction = *ray.direction;
         Self {
@@ -42,6 +43,7 @@ impl RayBox {
     /// the ray certainly does not meet the box within the interval.
     ///
     /// The box must be finite. The interval may be empty or inverted: then the answer is `None`.
+    #[inline]
     pub fn enters(&self, bounds: &Aabb, within: Interval) -> Option<f32> {
         let planes = [bounds.min, bounds.max];
         let (mut min, mut max) = (within.min, within.max);

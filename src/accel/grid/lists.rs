@@ -21,7 +21,9 @@ impl<'a, S: Shape> Lists<'a, S> {
 
     /// The nearest hit, by [`Shape::hit_by`], of the shapes in this list that were in no earlier list; `within` is shortened to
     /// end at the hit.
-    #[inline]
+    ///
+    /// Most cells are empty: callers do not ask their lists. So this is a call for the few others, and the walk has the registers.
+    #[inline(never)]
     pub(crate) fn nearest(
         &mut self,
         list: &[u32],
@@ -43,8 +45,8 @@ impl<'a, S: Shape> Lists<'a, S> {
         nearest
     }
 
-    /// Whether any shape in this list that was in no earlier list is in the way, by [`Shape::blocked_by`].
-    #[inline]
+    /// Whether any shape in this list that was in no earlier list is in the way, by [`Shape::blocked_by`]. A call, as [`Lists::nearest`] is.
+    #[inline(never)]
     pub(crate) fn block(&mut self, list: &[u32], blocks: impl Fn(&S) -> bool) -> bool {
         list.iter()
             .any(|&place| self.asked.is_first(place) && blocks(&self.shapes[place as usize]))

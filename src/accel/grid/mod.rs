@@ -135,7 +135,9 @@ impl<S: Shape> Accel<S> for Grid<S> {
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count) {
+            if !places.is_empty()
+                && let Some(nearer) = lists.nearest(places, &hit_by_ray, &mut within, count)
+            {
                 closest = Some(nearer);
             }
             // A hit beyond this cell does not end the walk: a shape of a later cell may be nearer.
@@ -149,7 +151,7 @@ impl<S: Shape> Accel<S> for Grid<S> {
         if !blocked {
             let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places, |shape| blocks(shape, within));
+                blocked = !places.is_empty() && lists.block(places, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

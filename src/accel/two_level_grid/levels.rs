@@ -47,12 +47,14 @@ impl Levels {
     }
 
     /// As [`Levels::fine`] without the planes: the place, and the number of fine cells along each axis.
+    #[inline]
     pub fn resolution(&self, coarse: UVec3) -> Option<(usize, UVec3)> {
         let Cut { first, resolution } = self.cuts[self.top.index(coarse)];
-        (resolution != U8Vec3::ZERO).then(|| (first as usize, resolution.as_uvec3()))
+        (resolution.x > 0).then(|| (first as usize, resolution.as_uvec3()))
     }
 
     /// The lattice of the whole grid if every coarse cell were cut into `resolution` fine cells.
+    #[inline]
     pub fn cut(&self, resolution: UVec3) -> Lattice {
         Lattice {
             min: self.top.min,

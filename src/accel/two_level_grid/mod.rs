@@ -128,8 +128,9 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         let (hit_by_ray, mut lists) = (S::hit_by(ray), Lists::new(&self.parts.shapes));
         self.visit(ray, within, |places, leave| {
             count.tested_box();
-            if let Some(nearer) =
-                lists.nearest(places.unwrap_or_default(), &hit_by_ray, &mut within, count)
+            let list = places.unwrap_or_default();
+            if !list.is_empty()
+                && let Some(nearer) = lists.nearest(list, &hit_by_ray, &mut within, count)
             {
                 closest = Some(nearer);
             }
@@ -144,7 +145,8 @@ impl<S: Shape> Accel<S> for TwoLevelGrid<S> {
         if !blocked {
             let (blocks, mut lists) = (S::blocked_by(ray), Lists::new(&self.parts.shapes));
             self.visit(ray, within, |places, _| {
-                blocked = lists.block(places.unwrap_or_default(), |shape| blocks(shape, within));
+                let list = places.unwrap_or_default();
+                blocked = !list.is_empty() && lists.block(list, |shape| blocks(shape, within));
                 break_if(blocked)
             });
         }

@@ -13,10 +13,10 @@ use crate::shape::{Hit, mesh::Facet};
 const IN_FLIGHT: usize = 16;
 
 /// A search that can be left after each step, and be taken up again.
-struct Flight {
+struct Flight<'r> {
     /// Which ray of the batch.
     ray: usize,
-    seeker: Seeker,
+    seeker: Seeker<'r>,
     found: Nearest,
     /// What is to be tested next: it has been asked of the memory.
     next: Link,
@@ -24,9 +24,9 @@ struct Flight {
     height: usize,
 }
 
-impl Flight {
+impl<'r> Flight<'r> {
     #[inline(always)]
-    fn new(tree: &Tree, root: Link, rays: &[Ray], ray: usize, within: Interval) -> Self {
+    fn new(tree: &Tree, root: Link, rays: &'r [Ray], ray: usize, within: Interval) -> Self {
         Self {
             ray,
             seeker: Seeker::new(&rays[ray], within.min, tree),
@@ -39,7 +39,7 @@ impl Flight {
 
     /// Takes up another ray. The stack is empty, whatever its places hold.
     #[inline(always)]
-    fn start(&mut self, tree: &Tree, root: Link, rays: &[Ray], ray: usize, within: Interval) {
+    fn start(&mut self, tree: &Tree, root: Link, rays: &'r [Ray], ray: usize, within: Interval) {
         self.ray = ray;
         self.seeker = Seeker::new(&rays[ray], within.min, tree);
         self.found = Nearest::nothing(within.max);

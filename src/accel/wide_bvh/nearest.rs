@@ -63,23 +63,30 @@ impl Nearest {
             self
         }
     }
+
+    /// The nearer of this and what was found elsewhere.
+    #[inline(always)]
+    #[must_use]
+    pub(super) fn or_else(self, other: Self) -> Self {
+        self.or(other.facet, other.hit)
+    }
 }
 
 /// A ray that seeks.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Seeker {
+pub(super) struct Seeker<'r> {
     /// As it is.
-    pub ray: Ray,
+    pub ray: &'r Ray,
     /// Made ready.
     pub wide: WideRay,
 }
 
-impl Seeker {
+impl<'r> Seeker<'r> {
     /// Makes a ray ready for a tree; nothing at or before `min` counts.
     #[inline(always)]
-    pub(super) fn new(ray: &Ray, min: f32, tree: &Tree) -> Self {
+    pub(super) fn new(ray: &'r Ray, min: f32, tree: &Tree) -> Self {
         Self {
-            ray: *ray,
+            ray,
             wide: WideRay::new(ray, min, tree.largest),
         }
     }
@@ -109,20 +116,8 @@ impl Seeker {
             found = found.or(leaf.facets[lane], hit);
         }
         if struck.unsure != 0 {
-            found = self.test_each(tree, leaf, struck.unsure, found);
-        }
-        found
-    }
-
-    /// The nearest hit so far, and of some triangles of a leaf, tested one by one.
-    #[cold] // what the loop over the nodes keeps in registers is then saved here, and not before that loop
-    #[inline(never)]
-    fn test_each(&self, tree: &Tree, leaf: &Leaf, lanes: u32, mut found: Nearest) -> Nearest {
-        for lane in bits(lanes) {
-            let facet = &tree.facets[leaf.facets[lane] as usize];
-            if let Some(hit) = facet.hit(&self.ray, Interval::new(self.wide.min, found.limit)) {
-                found = found.or(leaf.facets[lane], hit);
-            }
+            let within = Interval::new(self.wide.min, found.limit);
+            found = found.or_else(test_each(tree, leaf, struck.unsure, self.ray, within));
         }
         found
     }
@@ -133,18 +128,34 @@ impl Seeker {
         let Some(struck) = lanes.triangles(leaf, &self.wide, max) else {
             return false;
         };
-        struck.mask != 0 || struck.unsure != 0 && self.test_any_of(tree, leaf, struck.unsure, max)
-    }
-
-    /// Whether any of some triangles of a leaf is hit before `max`, tested one by one.
-    #[cold]
-    #[inline(never)]
-    fn test_any_of(&self, tree: &Tree, leaf: &Leaf, lanes: u32, max: f32) -> bool {
         let within = Interval::new(self.wide.min, max);
-        let blocks =
-            |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(&self.ray, within);
-        bits(lanes).any(blocks)
+        struck.mask != 0
+            || struck.unsure != 0 && test_any_of(tree, leaf, struck.unsure, self.ray, within)
     }
+}
+
+/// The nearest hit of some triangles of a leaf, tested one by one.
+///
+/// Neither the ray made ready nor the nearest hit so far goes there by address: so the loop over the nodes has both in registers.
+#[cold] // what that loop keeps in registers is then saved here, and not before it
+#[inline(never)]
+fn test_each(tree: &Tree, leaf: &Leaf, lanes: u32, ray: &Ray, within: Interval) -> Nearest {
+    let mut found = Nearest::nothing(within.max);
+    for lane in bits(lanes) {
+        let facet = &tree.facets[leaf.facets[lane] as usize];
+        if let Some(hit) = facet.hit(ray, Interval::new(within.min, found.limit)) {
+            found = found.or(leaf.facets[lane], hit);
+        }
+    }
+    found
+}
+
+/// Whether any of some triangles of a leaf is hit, tested one by one.
+#[cold]
+#[inline(never)]
+fn test_any_of(tree: &Tree, leaf: &Leaf, lanes: u32, ray: &Ray, within: Interval) -> bool {
+    let blocks = |lane: usize| tree.facets[leaf.facets[lane] as usize].blocks(ray, within);
+    bits(lanes).any(blocks)
 }
 
 /// The numbers of the bits that are set.

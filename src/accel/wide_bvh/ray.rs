@@ -49,7 +49,12 @@ impl WideRay {
         // Finite, whatever the origin: −o/d ± pad must not be ∞ − ∞. NaN becomes the least number here, and not by `max`: what
         // that makes of NaN differs between processors.
         let least = Vec3A::splat(f32::MIN);
-        let finite = |v: Vec3A| Vec3A::select(v.is_nan_mask(), least, v).clamp(least, Vec3A::MAX);
+        let finite = |v: Vec3A| {
+            if v.is_finite() {
+                return v; // as nearly always: it is not waited for
+            }
+            Vec3A::select(v.is_nan_mask(), least, v).clamp(least, Vec3A::MAX)
+        };
         let middle = -o * inverse;
         let pad = (ROUNDINGS * 0.5 * f32::EPSILON) * (largest + o.abs()) * inverse.abs();
         let shear = Shear::along(ray);

@@ -6,6 +6,7 @@ use super::node::{CHILDREN, Link, Node};
 use super::stack::{PLACES, Places, Waiting};
 use super::tree::Tree;
 use crate::accel::Count;
+use crate::math::{interval::Interval, ray::Ray};
 
 // ANCHOR: wide_closest
 /// The nearest hit at or below the node or leaf `link`, if it is nearer than what was found so far.
@@ -35,7 +36,8 @@ pub(super) fn closest<L: Lanes>(
                 continue;
             }
             if height + CHILDREN > PLACES {
-                found = deeper(lanes, tree, link, *seeker, found, count);
+                let within = Interval::new(seeker.wide.min, found.limit);
+                found = found.or_else(deeper(lanes, tree, link, seeker.ray, within, count));
             } else if met != 0 {
                 let fetch = |link| lanes.fetch_met(tree, link);
                 link = nearest(node, met, &t, &mut stack, &mut height, fetch);
@@ -95,11 +97,19 @@ fn deeper<L: Lanes>(
     lanes: L,
     tree: &Tree,
     link: Link,
-    seeker: Seeker,
-    found: Nearest,
+    ray: &Ray,
+    within: Interval,
     count: &mut impl Count,
 ) -> Nearest {
-    closest(lanes, tree, link, &seeker, found, count)
+    let seeker = Seeker::new(ray, within.min, tree);
+    closest(
+        lanes,
+        tree,
+        link,
+        &seeker,
+        Nearest::nothing(within.max),
+        count,
+    )
 }
 
 /// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.
@@ -125,7 +135,8 @@ pub(super) fn any<L: Lanes>(
                 continue;
             }
             if height + CHILDREN > PLACES {
-                if deeper_any(lanes, tree, link, *seeker, max) {
+                let within = Interval::new(seeker.wide.min, max);
+                if deeper_any(lanes, tree, link, seeker.ray, within) {
                     return true;
                 }
             } else if met != 0 {
@@ -149,6 +160,7 @@ pub(super) fn any<L: Lanes>(
 /// The same with a stack of its own.
 #[cold]
 #[inline(never)]
-fn deeper_any<L: Lanes>(lanes: L, tree: &Tree, link: Link, seeker: Seeker, max: f32) -> bool {
-    any(lanes, tree, link, &seeker, max)
+fn deeper_any<L: Lanes>(lanes: L, tree: &Tree, link: Link, ray: &Ray, within: Interval) -> bool {
+    let seeker = Seeker::new(ray, within.min, tree);
+    any(lanes, tree, link, &seeker, within.max)
 }

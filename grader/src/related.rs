@@ -3,6 +3,7 @@
 
 use crate::ask::{Asker, Said};
 use crate::check::{Mark, Report, State, diagnose_outcomes, judge};
+use crate::diagnose::flaws;
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::layout::{Leaf, layout, parts};
 use crate::shrink::domain::Domain;
@@ -161,10 +162,15 @@ pub fn ask_related(
         }
         if let Mark::Wrong(why) = judge(examiner, &one.case, &reply.said) {
             let Follower { before, after, .. } = one;
+            // Of a flaw that is there to see no question is asked but its own.
+            let flaw = flaws::of_all_together(examiner, &why, 1);
+            let after = if flaw.is_some() { "" } else { after };
             outcome.verdict = Mark::Wrong(format!("{before}: {why}{after}"));
             (outcome.case, outcome.reply) = (one.case, reply);
             if one.is_long {
                 report.diagnosis = diagnose_outcomes(examiner, &report.cases);
+            } else if flaw.is_some() {
+                report.diagnosis = flaw;
             }
         }
     }

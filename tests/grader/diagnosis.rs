@@ -21,6 +21,7 @@ mod several;
 mod structures;
 mod students;
 mod undone;
+mod unforeseen;
 mod written;
 
 use function::answers;

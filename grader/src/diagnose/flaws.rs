@@ -69,8 +69,8 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     };
     let mut complaints: Vec<_> = wrong.iter().filter_map(complaint).collect();
     if complaints.is_empty() {
-        // Each of them is right, and all of them together are not.
-        let row = |item: &Item| (item.question.clone(), item.got.clone());
+        // Each of them is right, and all of them together are not: as they came, for in another order neighbours are others.
+        let row = |item: &Item| (item.question.clone(), item.raw.clone());
         let together =
             examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>(), Bounds::CHANCE);
         let why = together.err()?;

@@ -3,6 +3,7 @@
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
 
 /// sRGB's curve, with its threshold, its exponent, and what is taken off at the end.
@@ -97,6 +98,11 @@ impl Graded for EncodeSrgb {
             name: "takes a pure power, a gamma of 2.2, above the straight piece",
             hint: "What stands beside the power of v in the formula, and which exponent has it?",
             answer: |q| above_the_straight_piece(q, |v| v.powf(1.0 / 2.2)),
+        },
+        Mistake {
+            name: "returns a whole number from 0 to 255",
+            hint: "The code value of white: which number does the task call it?",
+            answer: |q| (255.0 * EncodeSrgb::answer(q)).round(),
         },
         Mistake {
             name: "takes the 0.055 and the 1.055 into the power, as in the inverse curve",

@@ -1,11 +1,21 @@
 //! `solve_quadratic`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SolveQuadratic;
+
+/// What loses digits, in whatever order and precision it is calculated.
+const SCHOOLBOOK: &str = "uses the schoolbook formula for both roots";
+const SCHOOLBOOK_HINT: &str = "Where b² is much larger than 4ac, −b and the square root nearly cancel in one of the roots: which one, and how else can you get it?";
+
+/// What a few roundings leave of a large root, as a share of it.
+const LAST: f32 = 4.0 * f32::EPSILON;
+
+/// A root is small if it is below this share of the other.
+const SMALL: f32 = 1e-3;
 
 impl Graded for SolveQuadratic {
     fn random(rng: &mut Pcg) -> SolveQuadratic {
@@ -27,25 +37,39 @@ impl Graded for SolveQuadratic {
             golden.as_ref(),
             got.as_ref(),
             |golden, got| {
-                for (name, golden, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
+                for (name, root, got) in [("t0", golden.x, got.x), ("t1", golden.y, got.y)] {
                     // Relative to the root alone: the small one is what cancellation spoils.
                     judge::number_within(
                         name,
                         "",
-                        golden,
+                        root,
                         got,
-                        judge::RELATIVE * golden.abs().max(1e-6),
-                    )?;
+                        judge::RELATIVE * root.abs().max(1e-6),
+                    )
+                    .map_err(|why| {
+                        // The last digits of the large root are the first ones of the small one.
+                        let large = golden.abs().max_element();
+                        let is_lost =
+                            (got - root).abs() <= LAST * large && root.abs() < SMALL * large;
+                        let lost = ": its digits are lost in the difference of two large numbers";
+                        if is_lost { why + lost } else { why }
+                    })?;
                 }
                 Ok(())
             },
         )
     }
 
+    const FLAWS: &'static [Flaw] = &[Flaw {
+        complaint: "its digits are lost",
+        name: SCHOOLBOOK,
+        hint: SCHOOLBOOK_HINT,
+    }];
+
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "uses the schoolbook formula for both roots",
-            hint: "Where b² is much larger than 4ac, −b and the square root nearly cancel in one of the roots: which one, and how else can you get it?",
+            name: SCHOOLBOOK,
+            hint: SCHOOLBOOK_HINT,
             answer: |q| {
                 roots(q, |q, root| {
                     vec2((-q.b - root) / (2.0 * q.a), (-q.b + root) / (2.0 * q.a))

@@ -57,6 +57,11 @@ impl Graded for GridResolution {
             },
         },
         Mistake {
+            name: "cuts every axis into as many cells as the longest",
+            hint: "Should a long side be cut into as many pieces as a short one?",
+            answer: |q| whole(Vec3::splat(share(q).max_element()), f32::round),
+        },
+        Mistake {
             name: "rounds down",
             hint: "2.9 is nearer to 3 than to 2.",
             answer: |q| whole(share(q), f32::floor),

@@ -37,6 +37,11 @@ impl Graded for Refract {
             answer: |q| snell(q, *q.normal, -q.direction.dot(*q.normal), ratio(q)),
         },
         Mistake {
+            name: "turns the cosine, but not the normal, where the ray leaves",
+            hint: "On which side of the surface does a ray start that leaves the glass? What is added along the normal must go to the other side.",
+            answer: |q| snell(q, *q.normal, q.direction.dot(*q.normal).abs(), ratio(q)),
+        },
+        Mistake {
             name: "takes the same ratio for entering and leaving",
             hint: "A ray that leaves the glass comes from the inside: which index is then n1?",
             answer: |q| {

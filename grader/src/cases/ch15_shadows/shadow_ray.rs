@@ -8,6 +8,11 @@ use raybook::math::{interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
+/// What moves the start to the light, by whatever step.
+const ALONG: &str = "moves the start along the ray, not along the normal";
+const ALONG_HINT: &str =
+    "A lamp just above the horizon: how far above the surface does your ray start?";
+
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     let right = ShadowRay::answer(q);
@@ -89,6 +94,11 @@ impl Graded for ShadowRay {
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {
+            complaint: "along its way",
+            name: ALONG,
+            hint: ALONG_HINT,
+        },
+        Flaw {
             complaint: "starts nowhere",
             name: "starts the ray nowhere: a number is missing or infinite",
             hint: "Print the place where your ray starts.",
@@ -147,8 +157,8 @@ impl Graded for ShadowRay {
             answer: |q| starting(q, q.position, 0.0),
         },
         Mistake {
-            name: "moves the start along the ray, not along the normal",
-            hint: "A lamp just above the horizon: how far above the surface does your ray start?",
+            name: ALONG,
+            hint: ALONG_HINT,
             answer: |q| starting(q, q.position + 2.0 * q.error * *q.toward, 0.0),
         },
         Mistake {

@@ -28,6 +28,17 @@ pub(super) fn aimed_anew(q: &ShadowRay, got: &Way) -> Option<()> {
     judge::direction("the ray", toward.as_vec3(), got.direction).ok()
 }
 
+/// Whether a step from the point goes to the light, and not along the normal.
+fn is_along(step: DVec3, q: &ShadowRay) -> bool {
+    /// What rounding leaves, as a share of the step's length.
+    const NONE: f64 = 1e-3;
+    /// What is another direction.
+    const SOME: f64 = 1e-2;
+    let [toward, normal] = [q.toward, q.normal].map(|d| d.as_dvec3());
+    let beside = |d: DVec3| step.cross(d).length() / step.length();
+    step.dot(toward) > 0.0 && beside(toward) < NONE && beside(normal) > SOME
+}
+
 /// The start is on the light's side of all places where the surface may be, and not much farther.
 pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
     let [start, _] = ends(q, got);
@@ -44,6 +55,11 @@ pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
         Err(format!(
             "the interval begins {} m behind the ray's origin, where it may find its own surface again",
             -got.within.min
+        ))
+    } else if off < ROUNDED * needed && got.within.min >= 0.0 && is_along(origin, q) {
+        Err(format!(
+            "the ray starts {:.4} m along its way: that is {off:.4} m off the surface, and {needed:.4} m are needed",
+            origin.length()
         ))
     } else if off < ROUNDED * needed {
         let side = if off < 0.0 {

@@ -2,7 +2,7 @@
 //!
 //! They are judged by their distribution: any right way to spread them passes. An 8 × 8 lattice that is spread by a
 //! concentric disc has a mean that is 0.016 off and a variance that is 0.010 off; other right ways are closer. A disc inside a
-//! square has a variance that is 0.021 off.
+//! square has a variance that is 0.021 off. What is hidden by so few samples shows in a finer lattice, which is asked of who is right.
 
 use crate::traits::{log, of_square};
 use crate::{Verdict, judge};
@@ -12,12 +12,21 @@ use raybook_workbook::exercises::ch16_soft_shadows::Chosen;
 /// So fine are the lattices.
 pub(super) const N: u32 = 8;
 
-/// The mean of places may be off by this. It tells a lattice without its ½, which is 0.5/N off, from one with it, and from one that
-/// is moved by 0.4 of a cell and wrapped round.
-pub(super) const MEAN: f64 = 0.45 / N as f64;
+/// So fine are those that are asked of who is right with others: 3 % of a side or of a cone show there.
+pub(super) const FINE: u32 = 4 * N;
+
+/// What is done to a question whose lattice is finer.
+pub(super) const FINER: &str = "with four times as many points along each side";
+
+/// The mean of places may be off by this, in cells of the lattice. It tells a lattice without its ½, which is 0.5 off, from one with it,
+/// and from one that is moved by 0.4 of a cell and wrapped round.
+pub(super) const MEAN: f64 = 0.45;
 
 /// An angle counts from anywhere, so its lattice may begin anywhere in a cell.
-pub(super) const MEAN_ANGLE: f64 = 0.08;
+pub(super) const MEAN_ANGLE: f64 = 0.64;
+
+/// The variance of places may be off by this, in cells.
+const SPREAD: f64 = 0.12;
 
 /// A density may be off by this share: naive formulas lose a few digits.
 pub(super) const DENSITY: f32 = 5e-3;
@@ -51,20 +60,23 @@ pub(super) fn traits(
     all
 }
 
-/// Whether places in the unit square are spread evenly, as their means, which `may_be_off` bounds, their variances and their counts tell.
+/// Whether the places to which a square lattice is mapped in the unit square are spread evenly, as their means, which `may_be_off` bounds in
+/// cells, their variances and their counts tell.
 pub(super) fn evenly(what: &str, places: &[DVec2], may_be_off: DVec2) -> Verdict {
     let n = places.len() as f64;
+    let cell = n.sqrt().recip();
     let mean = places.iter().sum::<DVec2>() / n;
     let off = |p: &DVec2| *p - mean;
     let variance = places.iter().map(|p| off(p) * off(p)).sum::<DVec2>() / n;
     let covariance = places.iter().map(|p| off(p).element_product()).sum::<f64>() / n;
-    if (mean - 0.5).abs().cmpgt(may_be_off).any() {
+    if (mean - 0.5).abs().cmpgt(cell * may_be_off).any() {
         return Err(format!(
-            "{what} are not uniform: their mean is {:.2} of the way across and {:.2} of the way along",
+            "{what} are not uniform: their mean is {:.3} of the way across and {:.3} of the way along",
             mean.x, mean.y
         ));
     }
-    if (variance - 1.0 / 12.0).abs().max_element() > 0.015 || covariance.abs() > 0.015 {
+    let apart = (variance - 1.0 / 12.0).abs().max_element();
+    if apart.max(covariance.abs()) > cell * SPREAD {
         return Err(format!(
             "{what} are not uniform: they are too close together, or too far apart, or on a line"
         ));

@@ -1,9 +1,9 @@
 //! `sample_rect`: random questions, judge and mistakes.
 
-use super::chosen::{self, DENSITY, MEAN, N, each, evenly};
+use super::chosen::{self, DENSITY, FINE, MEAN, N, each, evenly};
 use super::flaws;
 use super::lattice;
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{DVec2, Vec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, pcg::Pcg};
@@ -88,6 +88,14 @@ impl Graded for SampleRect {
         let places = got.iter().map(|chosen| place(chosen).as_dvec2());
         chosen::traits(q.radiance, got, &places.collect::<Vec<_>>(), right)
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: chosen::FINER,
+        question: |q| Self {
+            n: FINE,
+            ..q.clone()
+        },
+    }];
 
     const FLAWS: &'static [Flaw] = &[
         flaws::COUNT,

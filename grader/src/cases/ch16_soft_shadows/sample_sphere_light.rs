@@ -1,9 +1,9 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
-use super::chosen::{self, DENSITY, MEAN, MEAN_ANGLE, N, each, evenly};
+use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
 use super::cone::{around, cap, cone};
 use super::flaws;
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
@@ -112,6 +112,14 @@ impl Graded for SampleSphereLight {
         traits.push(off / f64::from(q.radius * n));
         traits
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation {
+        name: chosen::FINER,
+        question: |q| Self {
+            n: FINE,
+            ..q.clone()
+        },
+    }];
 
     const FLAWS: &'static [Flaw] = &[
         flaws::COUNT,

@@ -94,13 +94,41 @@ fn exact_and_scatter(q: &ReflectedRadiance) -> ([f32; 3], [f32; 3]) {
 /// Samples of the question that is asked again and again, to see whether each answer has random numbers of its own.
 const AGAIN: u32 = 1000;
 
-/// Whether no two answers to that question, eight at least, are alike. Who takes the same random numbers each time is off to the same side
-/// each time, and rightly so.
+/// That question, each time hardly another, for who takes random numbers from all that is asked.
+fn again(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
+    let question = ReflectedRadiance {
+        samples: AGAIN,
+        ..ReflectedRadiance::random(rng)
+    };
+    let hardly = |i| {
+        let by = 1.0 + 1e-5 * i as f32;
+        ReflectedRadiance {
+            diffuse: question.diffuse * by,
+            specular: question.specular * by,
+            exponent: question.exponent * by,
+            radiance: question.radiance * by,
+            ..question.clone()
+        }
+    };
+    (0..64).map(hardly).collect()
+}
+
+/// Whether the answers to that question, eight at least, scatter. Who takes the same random numbers each time is off to the same side each time, and
+/// rightly so: there only the question makes a difference.
 fn are_independent(answers: &[(ReflectedRadiance, Rgb)]) -> bool {
+    /// Of the scatter that is most.
+    const LEAST: f32 = 0.02;
     let again = answers.iter().filter(|(q, _)| q.samples == AGAIN);
-    let again: Vec<_> = again.map(|(_, got)| got.channels()).collect();
-    let is_new = |i: usize| !again[..i].contains(&again[i]);
-    again.len() >= 8 && (0..again.len()).all(is_new)
+    let (questions, got): (Vec<_>, Vec<_>) = again.map(|(q, got)| (q, got.channels())).unzip();
+    let Some(question) = questions.first().filter(|_| got.len() >= 8) else {
+        return false;
+    };
+    let sums = || got.iter().map(|got| got.iter().sum::<f32>());
+    let mean = sums().sum::<f32>() / got.len() as f32;
+    let variance = sums().map(|sum| (sum - mean).powi(2)).sum::<f32>() / got.len() as f32;
+    let (_, scatter) = exact_and_scatter(question);
+    let is_new = |i: usize| !got[..i].contains(&got[i]);
+    (0..got.len()).all(is_new) && variance.sqrt() > LEAST * scatter.iter().sum::<f32>()
 }
 
 impl Graded for ReflectedRadiance {
@@ -169,11 +197,7 @@ impl Graded for ReflectedRadiance {
 
     /// One question again and again.
     fn further(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
-        let question = ReflectedRadiance {
-            samples: AGAIN,
-            ..Self::random(rng)
-        };
-        vec![question; 64]
+        again(rng)
     }
 
     const FLAWS: &'static [Flaw] = &[Flaw {
@@ -294,6 +318,18 @@ impl Graded for ReflectedRadiance {
             name: "looks at the sky in the viewer's direction, whatever direction is chosen",
             hint: "From which directions does light arrive at the surface?",
             answer: |q| under(q, |_| q.sky(q.view)),
+        },
+        Mistake {
+            name: "takes (n + 1)/2π for the factor of the highlight in the BRDF",
+            hint: "Which factor has the highlight in brdf_phong, and which one has the density of its lobe?",
+            answer: |q| {
+                let n = q.exponent;
+                let dimmer = ReflectedRadiance {
+                    specular: q.specular * ((n + 1.0) / (n + 2.0)),
+                    ..q.clone()
+                };
+                weighted(&dimmer, |_| 1.0)
+            },
         },
         Mistake {
             name: "chooses half of the directions by a lobe of another exponent than in the density",

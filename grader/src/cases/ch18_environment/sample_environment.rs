@@ -210,7 +210,17 @@ impl Graded for SampleEnvironment {
             hint: "Can a direction be anywhere in its texel, close to its upper edge and to its lower one? By the angle, or by the area?",
         },
         Flaw {
-            complaint: "slightly too often",
+            complaint: "rows at",
+            name: "weighs some rows a little too much, which no single answer shows",
+            hint: "What does a texel of each row weigh: its radiance times which solid angle? Is it the same for the first row and the last?",
+        },
+        Flaw {
+            complaint: "columns at",
+            name: "weighs some columns a little too much, which no single answer shows",
+            hint: "Do all texels of a row have the same solid angle in your sums, the first and the last too?",
+        },
+        Flaw {
+            complaint: "texels are chosen slightly too often",
             name: "weighs bright texels a little too much, or too little",
             hint: "How often is a texel chosen that is twice as bright as another of the same size?",
         },

@@ -16,6 +16,11 @@ const ROUNDING: f32 = 1e-4;
 /// thousand in a row miss leave less than 1 %.
 const ROOM: f32 = 0.10;
 
+/// And so large a one beside this number of points, where chance has less to say: Bridson's method leaves 0.3 % there on average, with 10 tries
+/// 1.5 %, and 2/d² darts, of which most miss, 5.6 %.
+const ROOM_BESIDE_MANY: f32 = 0.04;
+const MANY: usize = 100;
+
 /// Places that are probed for room, along each side.
 const PROBES: u32 = 96;
 
@@ -79,7 +84,12 @@ impl Graded for PoissonDisk {
         }
         // Whoever keeps the distance over the edges too, to the next square's points, is right.
         let room = room(got, d);
-        if room > ROOM {
+        let most = if got.len() < MANY {
+            ROOM
+        } else {
+            ROOM_BESIDE_MANY
+        };
+        if room > most {
             return Err(format!(
                 "in {:.0} % of the square there is still room for another point",
                 100.0 * room

@@ -36,7 +36,7 @@ pub struct Item {
     /// The student's answer, as far as it is looked at.
     pub got: Vec<f64>,
     /// The student's answer as it came.
-    raw: Vec<f64>,
+    pub raw: Vec<f64>,
     /// The student's answer in words.
     pub text: String,
     /// The right answer to the case before.

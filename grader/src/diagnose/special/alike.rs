@@ -61,14 +61,11 @@ fn one_for_none(evidence: &Evidence<'_>, base: &Answers) -> Option<Explanation> 
     if one.len() < 2 || got.any(|item| item.got != one) {
         return None;
     }
-    let word = |v: &f64| {
-        if v.is_finite() {
-            short(*v)
-        } else {
-            v.to_string()
-        }
+    let kind = match evidence.examiner.asked().answer.kind {
+        Kind::Optional(kind) => kind,
+        kind => kind,
     };
-    let words: Vec<_> = one[1..].iter().map(word).collect();
+    let words = in_words(kind, &one[1..]).unwrap_or_else(|| "an answer".to_owned());
     let answer = |base: &[f64]| {
         if base == [0.0] {
             one.clone()
@@ -78,10 +75,7 @@ fn one_for_none(evidence: &Evidence<'_>, base: &Answers) -> Option<Explanation> 
     };
     Some(explanation(
         9,
-        format!(
-            "returns {} where there is nothing to return",
-            words.join(" ")
-        ),
+        format!("returns {words} where there is nothing to return"),
         "How does an answer say that there is none? It is the word `none` in a line, `None` in Rust and in Python, `std::nullopt` in C++.",
         made(base, |_, base| Some(answer(base))),
     ))

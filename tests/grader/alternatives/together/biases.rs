@@ -8,6 +8,7 @@ use raybook::light::environment::latlong;
 use raybook::math::basis::Basis;
 use raybook::math::dir3::Dir3;
 use raybook::math::pcg;
+use raybook_grader::cases;
 use std::f64::consts::{PI, TAU};
 
 /// A fault of a size: what it makes of the golden answer's numbers, without their count, to a question's.
@@ -130,6 +131,17 @@ fn in_texels(q: &[f64], numbers: &[f64], change: fn(f64, f64) -> (f64, f64)) -> 
     changed.map(f64::from).collect()
 }
 
+/// Directions by a map whose texels weigh this much more, by column and row.
+fn directions_of_map(q: &[f64], more: fn(usize, usize) -> f64) -> Vec<f64> {
+    let examiner = cases::find("sample_environment").expect("it exists");
+    let (width, mut heavier) = (q[0] as usize, q.to_vec());
+    for (i, texel) in heavier[3..].iter_mut().enumerate() {
+        *texel *= more(i % width, i / width);
+    }
+    let answer = (examiner.asked().call)(&heavier);
+    answer[1..].to_vec()
+}
+
 /// The faults of each exercise.
 pub const BIASES: &[Bias] = &[
     Bias {
@@ -146,6 +158,26 @@ pub const BIASES: &[Bias] = &[
         exercise: "visible_fraction",
         fault: "has places of the power 1.1 along a",
         change: |q, _| at_places(q, |u| dvec2(u.x.powf(1.1), u.y)),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "is 3 % too large, by the same numbers each time",
+        change: |_, all| times(all, 1.03).into_iter().map(|f| f.min(1.0)).collect(),
+    },
+    Bias {
+        exercise: "visible_fraction",
+        fault: "is 3 % too small, by the same numbers each time",
+        change: |_, all| times(all, 0.97),
+    },
+    Bias {
+        exercise: "sample_environment",
+        fault: "weighs the first row 5 % too much",
+        change: |q, _| directions_of_map(q, |_, row| if row == 0 { 1.05 } else { 1.0 }),
+    },
+    Bias {
+        exercise: "sample_environment",
+        fault: "weighs the first column 5 % too much",
+        change: |q, _| directions_of_map(q, |column, _| if column == 0 { 1.05 } else { 1.0 }),
     },
     Bias {
         exercise: "cosine_hemisphere",

@@ -54,17 +54,28 @@ pub(super) fn seen_past(
     place: fn(Vec2) -> Vec2,
     blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
 ) -> Vec<f32> {
-    let weighed = weighed(q, n, blocks, |u| (place(u), [1.0]));
-    weighed.into_iter().map(|[fraction]| fraction).collect()
+    let share = |seen: Vec<bool>| {
+        let count = seen.iter().filter(|seen| **seen).count();
+        count as f32 / (n * n) as f32
+    };
+    seen_at(q, n, place, blocks)
+        .into_iter()
+        .map(share)
+        .collect()
 }
 
-/// For each point the means of several weights over the places of the light that it sees, where what it does not see counts as 0.
-pub(super) fn weighed<const N: usize>(
+/// Of each point, which places it sees of the lattice that stands for the whole light.
+pub(super) fn seen_places(q: &VisibleFraction) -> Vec<Vec<bool>> {
+    seen_at(q, FINE, |u| u, between([0.0, 1.0]))
+}
+
+/// Of each point, which places it sees of those to which an n × n lattice is mapped.
+fn seen_at(
     q: &VisibleFraction,
     n: u32,
+    place: fn(Vec2) -> Vec2,
     blocks: impl Fn(&Sphere, Vec3, Vec3) -> bool,
-    place_and_weights: impl Fn(Vec2) -> (Vec2, [f32; N]),
-) -> Vec<[f32; N]> {
+) -> Vec<Vec<bool>> {
     let balls: Vec<_> = q
         .balls
         .iter()
@@ -74,14 +85,6 @@ pub(super) fn weighed<const N: usize>(
         let r = q.corner + u.x * q.a + u.y * q.b - from;
         r.dot(q.a.cross(q.b)) < 0.0 && !balls.iter().any(|ball| blocks(ball, from, r))
     };
-    let means = |&p: &Vec3| {
-        let mut sums = [0.0; N];
-        for (place, weights) in lattice(n).map(&place_and_weights) {
-            if arrives(p, place) {
-                sums = std::array::from_fn(|i| sums[i] + weights[i]);
-            }
-        }
-        sums.map(|sum| sum / (n * n) as f32)
-    };
-    q.points.iter().map(means).collect()
+    let seen = |p: &Vec3| lattice(n).map(|u| arrives(*p, place(u))).collect();
+    q.points.iter().map(seen).collect()
 }

@@ -1,14 +1,19 @@
 //! Whether places on the light are chosen a little too often on one side, at its borders or at its corners, or samples counted that are not due:
 //! no single fraction shows it, and all of many answers do.
 
-use super::fractions::{FINE, between, weighed};
+use super::fractions::{FINE, seen_places};
 use crate::Verdict;
+use crate::cases::ch16_soft_shadows::lattice;
 use crate::together::Bounds;
-use glam::{Vec2, Vec3, vec3};
+use glam::{DVec2, Vec3, vec3};
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
+use std::collections::BTreeMap;
 use std::ops::Range;
 
-/// What may be slightly wrong: with the places on the light, in the order of [`fractions_and_leanings`]; and with the fractions, that they are some share too
+/// The standard deviation of what the lattice that stands for the exact value is off.
+const LATTICE: f64 = 0.004;
+
+/// What may be slightly wrong: with the places on the light, in the order of [`fraction_and_leanings`]; and with the fractions, that they are some share too
 /// large, or that some share of what is hidden is taken for seen.
 const LEANINGS: [&str; 7] = [
     "the far side of the light along a were chosen too",
@@ -20,59 +25,143 @@ const LEANINGS: [&str; 7] = [
     "a sample that is hidden were counted too",
 ];
 
+/// A fraction that was answered.
+struct Point {
+    /// The number of its question, and its place among the points of that.
+    of: [usize; 2],
+    /// By how much it is larger where something is slightly wrong, in the order of [`LEANINGS`].
+    directions: [f64; LEANINGS.len()],
+    /// By how much it is off.
+    off: f64,
+    /// Its variance, if all its samples are random.
+    variance: f64,
+    /// Of each place of the lattice on the light, whether it is seen.
+    seen: Vec<bool>,
+    samples: f64,
+}
+
+impl Point {
+    /// What it counts in the sum of leaning i.
+    fn weight(&self, i: usize) -> f64 {
+        self.directions[i] / self.variance
+    }
+}
+
+/// Who takes the same random numbers again is off to the same side again: which fractions may have the same ones. Each has its own; all at the same place
+/// in their questions; all of a question; all of them.
+const SHARED: [fn(&Point) -> [usize; 2]; 4] = [
+    |point| point.of,
+    |point| [0, point.of[1]],
+    |point| [point.of[0], 0],
+    |_| [0, 0],
+];
+
 /// What is slightly wrong shifts each fraction a little, in a direction that is known: the sum of all fractions' shares in that direction is
-/// normally distributed (the score test, Rao 1948). Each of the seven is beyond its bound by chance with 4e-10.
+/// normally distributed (the score test, Rao 1948). Each of the seven is beyond its bound by chance with 4e-10. Where fractions may have the same random
+/// numbers, the sum has the largest of the variances that it can have by them.
 ///
 /// # Errors
 /// What the fractions lean to most, if that is beyond its bound.
 pub(super) fn together(answers: &[(VisibleFraction, Vec<f32>)], bounds: Bounds) -> Verdict {
     const DEVIATIONS: f64 = 6.25;
-    /// The standard deviation of what the lattice that stands for the exact value is off.
-    const LATTICE: f64 = 0.004;
-    /// Nearer to 0 and 1 the fractions are not distributed normally.
-    const BETWEEN: Range<f64> = 0.02..0.98;
-    if !are_independent(answers) {
-        return Ok(());
-    }
-    let (mut sums, mut variances) = ([0.0; LEANINGS.len()], [0.0; LEANINGS.len()]);
-    for (q, got) in answers.iter().filter(|(q, _)| q.samples > AGAIN) {
-        for (point, got) in fractions_and_leanings(q).into_iter().zip(got) {
-            let [f, leanings @ ..] = point.map(f64::from);
-            if !BETWEEN.contains(&f) {
-                continue;
+    let points = points(answers);
+    let shared = if are_independent(answers) {
+        &SHARED[..1]
+    } else {
+        &SHARED
+    };
+    let bound = bounds.of(DEVIATIONS);
+    let deviations = |i: usize| {
+        let sum: f64 = points.iter().map(|point| point.weight(i) * point.off).sum();
+        // The first variance is the least to calculate, and most sums are within its bound.
+        let mut least = f64::INFINITY;
+        for group in shared {
+            let by = sum / variance(&points, i, *group).max(f64::MIN_POSITIVE).sqrt();
+            if by.abs() < f64::abs(least) {
+                least = by;
             }
-            let variance = f * (1.0 - f) / f64::from(q.samples) + LATTICE * LATTICE;
-            let directions = leanings.into_iter().chain([f, 1.0 - f]);
-            for (i, direction) in directions.enumerate() {
-                sums[i] += direction * (f64::from(*got) - f) / variance;
-                variances[i] += direction * direction / variance;
+            if least.abs() <= bound {
+                break;
             }
         }
-    }
-    let deviations = |i: usize| sums[i] / f64::max(variances[i], f64::MIN_POSITIVE).sqrt();
-    let most = (0..LEANINGS.len()).max_by(|&i, &j| {
-        let [i, j] = [i, j].map(|i| deviations(i).abs());
-        i.total_cmp(&j)
-    });
-    let Some(i) = most.filter(|&i| deviations(i).abs() > bounds.of(DEVIATIONS)) else {
+        least
+    };
+    let all = (0..LEANINGS.len()).map(|i| (i, deviations(i)));
+    let most = all.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
+    let Some((i, by)) = most.filter(|(_, by)| by.abs() > bound) else {
         return Ok(());
     };
-    let (what, by) = (LEANINGS[i], deviations(i));
-    let how = if by > 0.0 { "often" } else { "seldom" };
+    let (what, how) = (LEANINGS[i], if by > 0.0 { "often" } else { "seldom" });
     let by = by.abs();
     Err(format!(
         "the fractions are as if {what} {how}: by {by:.1} standard deviations, which chance does not explain"
     ))
 }
 
-/// For each point the fraction, and by how much it is larger where places on the light are chosen a little more often: on one side along a or b, at
-/// both borders along a or b, at the ends of a diagonal.
-fn fractions_and_leanings(q: &VisibleFraction) -> Vec<[f32; 6]> {
-    weighed(q, FINE, between([0.0, 1.0]), |u| {
-        let Vec2 { x, y } = u - 0.5;
+/// The fractions of the answers that tell something: nearer to 0 and 1 they are not distributed normally.
+fn points(answers: &[(VisibleFraction, Vec<f32>)]) -> Vec<Point> {
+    const BETWEEN: Range<f64> = 0.02..0.98;
+    let of_cases = answers.iter().filter(|(q, _)| q.samples > AGAIN);
+    let mut points = Vec::new();
+    for (question, (q, got)) in of_cases.enumerate() {
+        let seen = seen_places(q);
+        for (place, (seen, got)) in seen.into_iter().zip(got).enumerate() {
+            let [f, leanings @ ..] = fraction_and_leanings(&seen);
+            if !BETWEEN.contains(&f) {
+                continue;
+            }
+            let directions = leanings.into_iter().chain([f, 1.0 - f]);
+            let mut all = [0.0; LEANINGS.len()];
+            all.iter_mut().zip(directions).for_each(|(to, v)| *to = v);
+            let samples = f64::from(q.samples);
+            points.push(Point {
+                of: [question, place],
+                directions: all,
+                off: f64::from(*got) - f,
+                variance: f * (1.0 - f) / samples + LATTICE * LATTICE,
+                seen,
+                samples,
+            });
+        }
+    }
+    points
+}
+
+/// The variance of the sum of leaning i, if fractions have the same random numbers that `group` puts together.
+fn variance(points: &[Point], i: usize, group: fn(&Point) -> [usize; 2]) -> f64 {
+    let mut groups: BTreeMap<_, Vec<&Point>> = BTreeMap::new();
+    for point in points {
+        groups.entry(group(point)).or_default().push(point);
+    }
+    let of_group = |points: &Vec<&Point>| {
+        // A sample at a place of the light adds the weights of all fractions that see it.
+        let mut sums = vec![0.0; (FINE * FINE) as usize];
+        for point in points {
+            let weight = point.weight(i);
+            let seen = sums.iter_mut().zip(&point.seen).filter(|(_, seen)| **seen);
+            seen.for_each(|(sum, _)| *sum += weight);
+        }
+        let mean =
+            |of: fn(f64) -> f64| sums.iter().map(|v| of(*v)).sum::<f64>() / sums.len() as f64;
+        let scatter = mean(|v| v * v) - mean(|v| v).powi(2);
+        let lattice = points
+            .iter()
+            .map(|point| (LATTICE * point.weight(i)).powi(2));
+        scatter.max(0.0) / points[0].samples + lattice.sum::<f64>()
+    };
+    groups.values().map(of_group).sum()
+}
+
+/// The fraction of a light of which these places of the lattice are seen, and by how much it is larger where places are chosen a little more often: on
+/// one side along a or b, at both borders along a or b, at the ends of a diagonal.
+fn fraction_and_leanings(seen: &[bool]) -> [f64; 6] {
+    let mut sums = [0.0; 6];
+    for (u, _) in lattice(FINE).zip(seen).filter(|(_, seen)| **seen) {
+        let DVec2 { x, y } = u.as_dvec2() - 0.5;
         let weights = [1.0, x, y, x * x - 1.0 / 12.0, y * y - 1.0 / 12.0, x * y];
-        (u, weights)
-    })
+        sums.iter_mut().zip(weights).for_each(|(sum, w)| *sum += w);
+    }
+    sums.map(|sum| sum / seen.len() as f64)
 }
 
 /// Samples of the question that is asked again and again, to see whether each fraction has random numbers of its own.
@@ -81,24 +170,23 @@ const AGAIN: u32 = 250;
 /// How often it is asked.
 const TIMES: usize = 8;
 
-/// That question, whose points are one point.
+/// That question, whose points are one point: each time hardly another, for who takes random numbers from all that is asked.
 pub(super) fn again() -> Vec<VisibleFraction> {
-    let question = VisibleFraction {
+    let question = |i| VisibleFraction {
         corner: vec3(-1.0, 4.0, -1.0),
         a: 2.0 * Vec3::X,
         b: 2.0 * Vec3::Z,
         points: vec![Vec3::ZERO; 4],
         balls: vec![Ball {
             center: 2.0 * Vec3::Y,
-            radius: 0.35,
+            radius: 0.35 + 1e-6 * i as f32,
         }],
         samples: AGAIN,
     };
-    vec![question; TIMES]
+    (0..TIMES).map(question).collect()
 }
 
-/// Whether no two answers to that question are alike, nor the fractions of its points. Who takes the same places on the light each time is off to
-/// the same side each time, and rightly so.
+/// Whether no two answers to that question are alike, nor the fractions of its points: each has random numbers of its own.
 fn are_independent(answers: &[(VisibleFraction, Vec<f32>)]) -> bool {
     let again = answers.iter().filter(|(q, _)| q.samples == AGAIN);
     let again: Vec<_> = again.map(|(_, got)| got).collect();

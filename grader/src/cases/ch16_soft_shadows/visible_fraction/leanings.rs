@@ -47,10 +47,9 @@ impl Point {
     }
 }
 
-/// Who takes the same random numbers again is off to the same side again: which fractions may have the same ones. Each has its own; all at the same place
-/// in their questions; all of a question; all of them.
-const SHARED: [fn(&Point) -> [usize; 2]; 4] = [
-    |point| point.of,
+/// Who takes the same random numbers again is off to the same side again: which fractions may have the same ones. All at the same place in their
+/// questions; all of a question; all of them.
+const SHARED: [fn(&Point) -> [usize; 2]; 3] = [
     |point| [0, point.of[1]],
     |point| [point.of[0], 0],
     |_| [0, 0],
@@ -65,23 +64,21 @@ const SHARED: [fn(&Point) -> [usize; 2]; 4] = [
 pub(super) fn together(answers: &[(VisibleFraction, Vec<f32>)], bounds: Bounds) -> Verdict {
     const DEVIATIONS: f64 = 6.25;
     let points = points(answers);
-    let shared = if are_independent(answers) {
-        &SHARED[..1]
-    } else {
-        &SHARED
-    };
+    let independent = are_independent(answers);
     let bound = bounds.of(DEVIATIONS);
     let deviations = |i: usize| {
         let sum: f64 = points.iter().map(|point| point.weight(i) * point.off).sum();
-        // The first variance is the least to calculate, and most sums are within its bound.
-        let mut least = f64::INFINITY;
-        for group in shared {
-            let by = sum / variance(&points, i, *group).max(f64::MIN_POSITIVE).sqrt();
+        let by = |variance: f64| sum / variance.max(f64::MIN_POSITIVE).sqrt();
+        let own = |point: &Point| point.weight(i).powi(2) * point.variance;
+        let mut least = by(points.iter().map(own).sum());
+        // Most sums are within the bound of the variance that takes least to calculate.
+        for group in SHARED {
+            if independent || least.abs() <= bound {
+                break;
+            }
+            let by = by(variance(&points, i, group));
             if by.abs() < f64::abs(least) {
                 least = by;
-            }
-            if least.abs() <= bound {
-                break;
             }
         }
         least

@@ -116,8 +116,13 @@ fn stock(name: &str, width: usize) -> Result<Shot, TextError> {
 fn a_stock_scene_is_the_picture_of_its_chapter() {
     let plain = |film: &Film, shot: &Shot| shot.render(film);
     let filtered = |film: &Film, shot: &Shot| film.denoised(&[], |film| shot.render(film));
-    let drawn: [(_, _, _, fn(&Film, &Shot) -> Image); 3] = [
-        ("marbles", "ch15_shadows", 4, plain),
+    let drawn = [
+        (
+            "marbles",
+            "ch15_shadows",
+            4,
+            plain as fn(&Film, &Shot) -> Image,
+        ),
         ("posts", "ch16_soft_shadows", 4, filtered),
         ("horizon", "ch23_adaptive", 6, plain), // which takes at least 6
     ];

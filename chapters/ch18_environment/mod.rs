@@ -16,7 +16,6 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
-use glam::Vec2;
 use raybook::image::denoise::Guide;
 use raybook::image::{Image, file, tone};
 use raybook::light::environment::Environment;
@@ -131,12 +130,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 fn before(film: &Film, sky: Sky, map: &Image, lit: &Image) -> Result<Image, TextError> {
     let view = gallery::STILL_LIFE.shot(film.width)?;
     let map = Environment::new(map.clone());
-    let toward = |place| view.camera.ray(place, Vec2::ZERO).direction;
     // Sky and map are similar, so few samples hide the seam.
     let few = film.halved().halved();
     let open = plate::open(&few, &*view.camera, &view.scene);
-    let seen = few.sample(|place, _| map.radiance(toward(place)));
-    let sky = few.sample(|place, _| sky(toward(place)));
+    let seen = plate::surroundings(&few, &*view.camera, |toward| map.radiance(toward));
+    let sky = plate::surroundings(&few, &*view.camera, sky);
     Ok(plate::before(&sky, &seen, &open, lit))
 }
 

@@ -3,7 +3,7 @@
 use super::all_around::wide;
 use crate::kit::plate;
 use crate::kit::sheet::sheet;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::{Image, rgb::Rgb, tone};
@@ -39,8 +39,7 @@ pub(super) fn looks(
     for (name, toward) in LOOKS {
         let camera = wide(from, toward, 85.0, film.aspect())?;
         let real = photograph(film, &camera);
-        let seen =
-            film.sample(|place, _| environment.radiance(camera.ray(place, Vec2::ZERO).direction));
+        let seen = plate::surroundings(film, &camera, |toward| environment.radiance(toward));
         off.push(("difference", difference(&real, &seen)));
         rendered.push((name, real));
         cut.push(("cut out of the panorama", seen));
@@ -87,7 +86,7 @@ pub(super) fn lit(
     };
     let tile = |shown: fn(Rgb) -> Rgb| -> Result<Image, TextError> {
         let light = Environment::new(panorama.map().map(shown));
-        let seen = film.sample(|place, _| light.radiance(camera.ray(place, Vec2::ZERO).direction));
+        let seen = plate::surroundings(film, &camera, |toward| light.radiance(toward));
         let scene = gallery::STILL_LIFE
             .under(Box::new(light), film.width)?
             .scene;

@@ -3,8 +3,18 @@
 use glam::Vec2;
 use raybook::camera::Camera;
 use raybook::image::{Image, rgb::Rgb};
+use raybook::math::dir3::Dir3;
 use raybook::render::film::Film;
 use raybook::scene::world::Scene;
+
+/// What a camera sees of a radiance that comes from far away, from each direction.
+pub fn surroundings(
+    film: &Film,
+    camera: &dyn Camera,
+    radiance: impl Fn(Dir3) -> Rgb + Sync,
+) -> Image {
+    film.sample(|place, _| radiance(camera.ray(place, Vec2::ZERO).direction))
+}
 
 /// The share of each pixel in which a camera sees none of the scene's things.
 pub fn open(film: &Film, camera: &dyn Camera, scene: &Scene) -> Image {

@@ -136,7 +136,7 @@ impl<'r> Seeker<'r> {
 
 /// The nearest hit of some triangles of a leaf, tested one by one.
 ///
-/// Neither the ray made ready nor the nearest hit so far goes there by address: so the loop over the nodes has both in registers.
+/// Neither the ray made ready nor the nearest hit is given by its address, so that the loop over the nodes keeps both in registers.
 #[cold] // what that loop keeps in registers is then saved here, and not before it
 #[inline(never)]
 fn test_each(tree: &Tree, leaf: &Leaf, lanes: u32, ray: &Ray, within: Interval) -> Nearest {

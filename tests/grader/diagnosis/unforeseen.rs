@@ -1,7 +1,9 @@
 //! Mistakes that were written before anybody looked at the lists, and had no name or a wrong one.
 
 use super::function::{answers, diagnosed, right};
-use glam::DVec3;
+use glam::{DVec2, DVec3, dvec2};
+use rand::RngExt;
+use raybook::math::pcg;
 use raybook_grader::cases;
 use raybook_grader::diagnose::diagnose;
 use raybook_grader::examine::visible_rng;
@@ -123,4 +125,40 @@ fn a_few_percent_too_little_of_a_light_are_seen_in_a_finer_lattice() {
         }
         samples
     });
+}
+
+#[test]
+fn too_few_darts_leave_room_among_many_points() {
+    let examiner = cases::find("poisson_disk").expect("it exists");
+    let cases = examiner.cases(&mut visible_rng("poisson_disk")).cases;
+    let darts = |q: &[f64]| {
+        let (least, mut rng) = (1.0001 * q[0], pcg::stream(22, q[1] as u64));
+        let mut points: Vec<DVec2> = Vec::new();
+        for _ in 0..(2.0 / (least * least)) as usize {
+            let dart = dvec2(rng.random(), rng.random());
+            if points.iter().all(|point| point.distance(dart) > least) {
+                points.push(dart);
+            }
+        }
+        points
+    };
+    let got = answers(examiner, &cases, |q| {
+        let points = darts(q);
+        let places = points.iter().flat_map(|point| point.to_array());
+        Some(std::iter::once(points.len() as f64).chain(places).collect())
+    });
+    let is_of_many = |said: &Option<String>| {
+        let count = said
+            .as_ref()
+            .and_then(|said| said.split_whitespace().next());
+        count.is_some_and(|count| count.parse::<usize>().is_ok_and(|n| n >= 100))
+    };
+    let many = got.iter().filter(|(said, _)| is_of_many(said));
+    let (right, wrong): (Vec<_>, Vec<_>) = many.partition(|(_, right)| *right);
+    assert!(
+        wrong.len() > 3 * right.len(),
+        "{} right, {} wrong",
+        right.len(),
+        wrong.len()
+    );
 }

@@ -96,7 +96,7 @@ const LEANINGS: [(f64, [&str; 2]); 3] = [
 /// Measured for 60 students with 34 maps each and 48 right methods (those of [`distributed`], and what is left of a number taken for a place in
 /// the texel too): no gap is wider than 0.0051 of a texel, the shares of a texel are at most 0.0070 off, and the mean logarithm of the light at most
 /// 0.0098 of its standard deviation. Weights of the radiance to the power of 1.05 or 0.95 are 0.029 off at least. The mean column and row are at most
-/// 0.0064 of theirs off (4 students, 42 maps each); a first row that weighs 5 % too much is 0.016 off at least.
+/// 0.0064 of theirs off (60 students, 4 methods); a first row that weighs 5 % too much is 0.016 off at least.
 pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
     let mut within = [Vec::new(), Vec::new()];
     let (mut off, mut maps) = ([0.0; LEANINGS.len()], [0.0; LEANINGS.len()]);

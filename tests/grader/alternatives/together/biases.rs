@@ -11,12 +11,8 @@ use raybook::math::pcg;
 use raybook_grader::cases;
 use std::f64::consts::{PI, TAU};
 
-/// A fault of a size: what it makes of the golden answer's numbers, without their count, to a question's.
-pub struct Bias {
-    pub exercise: &'static str,
-    pub fault: &'static str,
-    pub change: fn(&[f64], Vec<f64>) -> Vec<f64>,
-}
+/// A fault of a size, in words, and what it makes of the golden answer's numbers, without their count, to a question's.
+pub type Bias = (&'static str, fn(&[f64], Vec<f64>) -> Vec<f64>);
 
 /// Numbers for a fault that makes points anew.
 fn uniform(stream: u64, n: usize) -> Vec<f64> {
@@ -143,288 +139,215 @@ fn directions_of_map(q: &[f64], more: fn(usize, usize) -> f64) -> Vec<f64> {
 }
 
 /// The faults of each exercise.
-pub const BIASES: &[Bias] = &[
-    Bias {
-        exercise: "visible_fraction",
-        fault: "leaves out 4 % of the light along a",
-        change: |q, _| at_places(q, |u| dvec2(0.96 * u.x, u.y)),
-    },
-    Bias {
-        exercise: "visible_fraction",
-        fault: "takes the light for 4 % too large",
-        change: |q, _| at_places(q, |u| 1.04 * u - 0.02),
-    },
-    Bias {
-        exercise: "visible_fraction",
-        fault: "has places of the power 1.1 along a",
-        change: |q, _| at_places(q, |u| dvec2(u.x.powf(1.1), u.y)),
-    },
-    Bias {
-        exercise: "visible_fraction",
-        fault: "is 3 % too large, by the same numbers each time",
-        change: |_, all| times(all, 1.03).into_iter().map(|f| f.min(1.0)).collect(),
-    },
-    Bias {
-        exercise: "visible_fraction",
-        fault: "is 3 % too small, by the same numbers each time",
-        change: |_, all| times(all, 0.97),
-    },
-    Bias {
-        exercise: "sample_environment",
-        fault: "weighs the first row 5 % too much",
-        change: |q, _| directions_of_map(q, |_, row| if row == 0 { 1.05 } else { 1.0 }),
-    },
-    Bias {
-        exercise: "sample_environment",
-        fault: "weighs the first column 5 % too much",
-        change: |q, _| directions_of_map(q, |column, _| if column == 0 { 1.05 } else { 1.0 }),
-    },
-    Bias {
-        exercise: "cosine_hemisphere",
-        fault: "goes 0.97 of the way round",
-        change: |q, all| round_the_normal(q, &all, |turn, height| (0.97 * turn, height)),
-    },
-    Bias {
-        exercise: "cosine_hemisphere",
-        fault: "takes 3 for π",
-        change: |q, all| round_the_normal(q, &all, |turn, height| (3.0 / PI * turn, height)),
-    },
-    Bias {
-        exercise: "cosine_hemisphere",
-        fault: "is never within 10° of the normal",
-        change: |q, all| {
-            round_the_normal(q, &all, |turn, height| {
-                (turn, 10_f64.to_radians().cos() * height)
-            })
-        },
-    },
-    Bias {
-        exercise: "sample_environment",
-        fault: "fills 0.98 of a texel's width",
-        change: |q, all| in_texels(q, &all, |right, down| (0.98 * right, down)),
-    },
-    Bias {
-        exercise: "sample_environment",
-        fault: "fills the middle 0.96 of a texel's height",
-        change: |q, all| in_texels(q, &all, |right, down| (right, 0.02 + 0.96 * down)),
-    },
-    Bias {
-        exercise: "sample_environment",
-        fault: "has the power 1.05 in a texel's width",
-        change: |q, all| in_texels(q, &all, |right, down| (right.powf(1.05), down)),
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "takes 3 for π in the concentric map",
-        change: |_, points| {
-            let pressed = points.chunks_exact(2).flat_map(|p| {
-                let (r, quarter) = (p[0].hypot(p[1]), (p[1].atan2(p[0]) / TAU * 4.0).round());
-                let turn = p[1].atan2(p[0]) - quarter * TAU / 4.0;
-                let turn = quarter * TAU / 4.0 + 3.0 / PI * turn;
-                [r * turn.cos(), r * turn.sin()]
-            });
-            pressed.collect()
-        },
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "has no x from 0.499 to 0.501",
-        change: |_, points| {
-            let out = |(i, v): (usize, f64)| match v {
-                0.499..0.501 if i % 2 == 0 => v + 0.1,
-                _ => v,
-            };
-            points.into_iter().enumerate().map(out).collect()
-        },
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "has no jitter from 0.499 to 0.501 along x",
-        change: |q, mut points| {
-            for v in points.iter_mut().step_by(2) {
-                let within = (*v * q[0]).fract();
-                if (0.499..0.501).contains(&within) {
-                    *v += 0.1 / q[0];
-                }
-            }
-            points
-        },
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "has the radius u^0.55",
-        change: |_, points| power(&points, 0.55),
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "has the radius u^0.51",
-        change: |_, points| power(&points, 0.51),
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "has the radius u^0.49",
-        change: |_, points| power(&points, 0.49),
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "has 0.98 of the right angle",
-        change: |_, points| {
-            let turned = points.chunks_exact(2).flat_map(|p| {
-                let (r, turn) = (p[0].hypot(p[1]), p[1].atan2(p[0]).rem_euclid(TAU));
-                [r * (0.98 * turn).cos(), r * (0.98 * turn).sin()]
-            });
-            turned.collect()
-        },
-    },
-    Bias {
-        exercise: "concentric_disk",
-        fault: "has a radius of 0.99",
-        change: |_, points| times(points, 0.99),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "fills 0.9 of the square's sides",
-        change: |_, points| times(points, 0.9),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "fills 0.95 of the square's sides",
-        change: |_, points| times(points, 0.95),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "fills 0.99 of the square's sides",
-        change: |_, points| times(points, 0.99),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "fills 0.997 of the square's sides",
-        change: |_, points| times(points, 0.997),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is of the power 1.1 along x",
-        change: |_, points| bent(points, 1.1, 1),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is of the power 1.05 along both axes",
-        change: |_, points| bent(points, 1.05, 2),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is of the power 1.02 along both axes",
-        change: |_, points| bent(points, 1.02, 2),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is of the power 1.02 along x (mean 1 % off)",
-        change: |_, points| bent(points, 1.02, 1),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is of the power 1.01 along x (mean 0.5 % off)",
-        change: |_, points| bent(points, 1.01, 1),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "has a wave of 1 % in its marginals",
-        change: |_, points| waved(points, 0.01),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "has y = x in 5 % of the points",
-        change: |_, points| following(&points, 0.05),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "has y = x in 2 % of the points",
-        change: |_, points| following(&points, 0.02),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "is a seventh seed's (seed mod 7)",
-        change: |q, points| uniform((q[1] % 7.0) as u64, points.len()),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "ignores the seed",
-        change: |_, points| uniform(0, points.len()),
-    },
-    Bias {
-        exercise: "random_pattern",
-        fault: "mirrors every other point (antithetic pairs)",
-        change: |q, points| {
-            let mut made = uniform(q[1] as u64, points.len());
-            for two in made.chunks_exact_mut(4) {
-                (two[2], two[3]) = (1.0 - two[0], 1.0 - two[1]);
-            }
-            made
-        },
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters in 0.9 of a cell",
-        change: |q, points| shrunk(q, points, 0.9),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters in 0.95 of a cell",
-        change: |q, points| shrunk(q, points, 0.95),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters in 0.99 of a cell",
-        change: |q, points| shrunk(q, points, 0.99),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters in 0.997 of a cell",
-        change: |q, points| shrunk(q, points, 0.997),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters by the power 1.05",
-        change: |q, points| bent_in_cells(q, points, 1.05),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "jitters by the power 1.02 (mean 1 % off)",
-        change: |q, points| bent_in_cells(q, points, 1.02),
-    },
-    Bias {
-        exercise: "jittered",
-        fault: "is a seventh seed's (seed mod 7)",
-        change: |q, points| {
-            let places = uniform((q[2] % 7.0) as u64, points.len());
-            let axes = [q[0], q[1]].into_iter().cycle();
-            let place = |((v, u), cells): ((f64, f64), f64)| ((v * cells).floor() + u) / cells;
-            points
-                .into_iter()
-                .zip(places)
-                .zip(axes)
-                .map(place)
-                .collect()
-        },
-    },
-    Bias {
-        exercise: "poisson_disk",
-        fault: "is 1.1 times as large as asked",
-        change: |_, points| times(points, 1.1),
-    },
-    Bias {
-        exercise: "poisson_disk",
-        fault: "is 1.05 times as large as asked",
-        change: |_, points| times(points, 1.05),
-    },
-    Bias {
-        exercise: "poisson_disk",
-        fault: "is 1.02 times as large as asked",
-        change: |_, points| times(points, 1.02),
-    },
-    Bias {
-        exercise: "poisson_disk",
-        fault: "leaves 1 % free at each border",
-        change: |_, points| points.into_iter().map(|v| 0.01 + 0.98 * v).collect(),
-    },
+pub const BIASES: &[(&str, &[Bias])] = &[
+    (
+        "visible_fraction",
+        &[
+            ("leaves out 4 % of the light along a", |q, _| {
+                at_places(q, |u| dvec2(0.96 * u.x, u.y))
+            }),
+            ("takes the light for 4 % too large", |q, _| {
+                at_places(q, |u| 1.04 * u - 0.02)
+            }),
+            ("has places of the power 1.1 along a", |q, _| {
+                at_places(q, |u| dvec2(u.x.powf(1.1), u.y))
+            }),
+            (
+                "is 3 % too large, by the same numbers each time",
+                |_, all| times(all, 1.03).into_iter().map(|f| f.min(1.0)).collect(),
+            ),
+            (
+                "is 3 % too small, by the same numbers each time",
+                |_, all| times(all, 0.97),
+            ),
+        ],
+    ),
+    (
+        "sample_environment",
+        &[
+            ("weighs the first row 5 % too much", |q, _| {
+                directions_of_map(q, |_, row| if row == 0 { 1.05 } else { 1.0 })
+            }),
+            ("weighs the first column 5 % too much", |q, _| {
+                directions_of_map(q, |column, _| if column == 0 { 1.05 } else { 1.0 })
+            }),
+            ("fills 0.98 of a texel's width", |q, all| {
+                in_texels(q, &all, |right, down| (0.98 * right, down))
+            }),
+            ("fills the middle 0.96 of a texel's height", |q, all| {
+                in_texels(q, &all, |right, down| (right, 0.02 + 0.96 * down))
+            }),
+            ("has the power 1.05 in a texel's width", |q, all| {
+                in_texels(q, &all, |right, down| (right.powf(1.05), down))
+            }),
+        ],
+    ),
+    (
+        "cosine_hemisphere",
+        &[
+            ("goes 0.97 of the way round", |q, all| {
+                round_the_normal(q, &all, |turn, height| (0.97 * turn, height))
+            }),
+            ("takes 3 for π", |q, all| {
+                round_the_normal(q, &all, |turn, height| (3.0 / PI * turn, height))
+            }),
+            ("is never within 10° of the normal", |q, all| {
+                round_the_normal(q, &all, |turn, height| {
+                    (turn, 10_f64.to_radians().cos() * height)
+                })
+            }),
+        ],
+    ),
+    (
+        "concentric_disk",
+        &[
+            ("takes 3 for π in the concentric map", |_, points| {
+                let pressed = points.chunks_exact(2).flat_map(|p| {
+                    let (r, quarter) = (p[0].hypot(p[1]), (p[1].atan2(p[0]) / TAU * 4.0).round());
+                    let turn = p[1].atan2(p[0]) - quarter * TAU / 4.0;
+                    let turn = quarter * TAU / 4.0 + 3.0 / PI * turn;
+                    [r * turn.cos(), r * turn.sin()]
+                });
+                pressed.collect()
+            }),
+            ("has the radius u^0.55", |_, points| power(&points, 0.55)),
+            ("has the radius u^0.51", |_, points| power(&points, 0.51)),
+            ("has the radius u^0.49", |_, points| power(&points, 0.49)),
+            ("has 0.98 of the right angle", |_, points| {
+                let turned = points.chunks_exact(2).flat_map(|p| {
+                    let (r, turn) = (p[0].hypot(p[1]), p[1].atan2(p[0]).rem_euclid(TAU));
+                    [r * (0.98 * turn).cos(), r * (0.98 * turn).sin()]
+                });
+                turned.collect()
+            }),
+            ("has a radius of 0.99", |_, points| times(points, 0.99)),
+        ],
+    ),
+    (
+        "random_pattern",
+        &[
+            ("has no x from 0.499 to 0.501", |_, points| {
+                let out = |(i, v): (usize, f64)| match v {
+                    0.499..0.501 if i % 2 == 0 => v + 0.1,
+                    _ => v,
+                };
+                points.into_iter().enumerate().map(out).collect()
+            }),
+            ("fills 0.9 of the square's sides", |_, points| {
+                times(points, 0.9)
+            }),
+            ("fills 0.95 of the square's sides", |_, points| {
+                times(points, 0.95)
+            }),
+            ("fills 0.99 of the square's sides", |_, points| {
+                times(points, 0.99)
+            }),
+            ("fills 0.997 of the square's sides", |_, points| {
+                times(points, 0.997)
+            }),
+            ("is of the power 1.1 along x", |_, points| {
+                bent(points, 1.1, 1)
+            }),
+            ("is of the power 1.05 along both axes", |_, points| {
+                bent(points, 1.05, 2)
+            }),
+            ("is of the power 1.02 along both axes", |_, points| {
+                bent(points, 1.02, 2)
+            }),
+            (
+                "is of the power 1.02 along x (mean 1 % off)",
+                |_, points| bent(points, 1.02, 1),
+            ),
+            (
+                "is of the power 1.01 along x (mean 0.5 % off)",
+                |_, points| bent(points, 1.01, 1),
+            ),
+            ("has a wave of 1 % in its marginals", |_, points| {
+                waved(points, 0.01)
+            }),
+            ("has y = x in 5 % of the points", |_, points| {
+                following(&points, 0.05)
+            }),
+            ("has y = x in 2 % of the points", |_, points| {
+                following(&points, 0.02)
+            }),
+            ("is a seventh seed's (seed mod 7)", |q, points| {
+                uniform((q[1] % 7.0) as u64, points.len())
+            }),
+            ("ignores the seed", |_, points| uniform(0, points.len())),
+            (
+                "mirrors every other point (antithetic pairs)",
+                |q, points| {
+                    let mut made = uniform(q[1] as u64, points.len());
+                    for two in made.chunks_exact_mut(4) {
+                        (two[2], two[3]) = (1.0 - two[0], 1.0 - two[1]);
+                    }
+                    made
+                },
+            ),
+        ],
+    ),
+    (
+        "jittered",
+        &[
+            (
+                "has no jitter from 0.499 to 0.501 along x",
+                |q, mut points| {
+                    for v in points.iter_mut().step_by(2) {
+                        let within = (*v * q[0]).fract();
+                        if (0.499..0.501).contains(&within) {
+                            *v += 0.1 / q[0];
+                        }
+                    }
+                    points
+                },
+            ),
+            ("jitters in 0.9 of a cell", |q, points| {
+                shrunk(q, points, 0.9)
+            }),
+            ("jitters in 0.95 of a cell", |q, points| {
+                shrunk(q, points, 0.95)
+            }),
+            ("jitters in 0.99 of a cell", |q, points| {
+                shrunk(q, points, 0.99)
+            }),
+            ("jitters in 0.997 of a cell", |q, points| {
+                shrunk(q, points, 0.997)
+            }),
+            ("jitters by the power 1.05", |q, points| {
+                bent_in_cells(q, points, 1.05)
+            }),
+            ("jitters by the power 1.02 (mean 1 % off)", |q, points| {
+                bent_in_cells(q, points, 1.02)
+            }),
+            ("is a seventh seed's (seed mod 7)", |q, points| {
+                let places = uniform((q[2] % 7.0) as u64, points.len());
+                let axes = [q[0], q[1]].into_iter().cycle();
+                let place = |((v, u), cells): ((f64, f64), f64)| ((v * cells).floor() + u) / cells;
+                points
+                    .into_iter()
+                    .zip(places)
+                    .zip(axes)
+                    .map(place)
+                    .collect()
+            }),
+        ],
+    ),
+    (
+        "poisson_disk",
+        &[
+            ("is 1.1 times as large as asked", |_, points| {
+                times(points, 1.1)
+            }),
+            ("is 1.05 times as large as asked", |_, points| {
+                times(points, 1.05)
+            }),
+            ("is 1.02 times as large as asked", |_, points| {
+                times(points, 1.02)
+            }),
+            ("leaves 1 % free at each border", |_, points| {
+                points.into_iter().map(|v| 0.01 + 0.98 * v).collect()
+            }),
+        ],
+    ),
 ];

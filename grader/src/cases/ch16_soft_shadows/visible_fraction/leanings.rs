@@ -103,17 +103,14 @@ fn points(answers: &[(VisibleFraction, Vec<f32>)]) -> Vec<Point> {
     for (question, (q, got)) in of_cases.enumerate() {
         let seen = seen_places(q);
         for (place, (seen, got)) in seen.into_iter().zip(got).enumerate() {
-            let [f, leanings @ ..] = fraction_and_leanings(&seen);
+            let [f, a, b, borders_a, borders_b, diagonal] = fraction_and_leanings(&seen);
             if !BETWEEN.contains(&f) {
                 continue;
             }
-            let directions = leanings.into_iter().chain([f, 1.0 - f]);
-            let mut all = [0.0; LEANINGS.len()];
-            all.iter_mut().zip(directions).for_each(|(to, v)| *to = v);
             let samples = f64::from(q.samples);
             points.push(Point {
                 of: [question, place],
-                directions: all,
+                directions: [a, b, borders_a, borders_b, diagonal, f, 1.0 - f],
                 off: f64::from(*got) - f,
                 variance: f * (1.0 - f) / samples + LATTICE * LATTICE,
                 seen,

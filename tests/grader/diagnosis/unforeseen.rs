@@ -144,7 +144,7 @@ fn too_few_darts_leave_room_among_many_points() {
     };
     let got = answers(examiner, &cases, |q| {
         let points = darts(q);
-        let places = points.iter().flat_map(|point| point.to_array());
+        let places = points.iter().flat_map(DVec2::to_array);
         Some(std::iter::once(points.len() as f64).chain(places).collect())
     });
     let is_of_many = |said: &Option<String>| {

@@ -15,26 +15,38 @@ fn hung(said: &[Said]) -> usize {
     said.iter().filter(hung).count()
 }
 
+/// What is said after a wait in vain of so many milliseconds, where an answer has so many at first.
+fn waited([time, at_first]: [u64; 2]) -> Said {
+    let [time, at_first] = [time, at_first].map(Duration::from_millis);
+    Said::TimedOut(Waited { time, at_first })
+}
+
 #[test]
 fn who_only_hangs_takes_less_and_less_time() {
     let program = Counted::new("exec sleep 100");
     let limit = Duration::from_millis(160);
     let mut asker = Asker::new(&program.program, Limits::of(limit));
     let six: Vec<String> = ["a", "b", "c", "d", "e", "f"].map(str::to_owned).into();
-    let mut took = Vec::new();
-    for _ in 0..12 {
+    let mut exercise = |waits: [u64; 5]| {
         asker.next_exercise();
         let start = Instant::now();
         let replies = asker.ask(&six).expect("the shell can be started");
-        took.push(start.elapsed());
+        let took = start.elapsed();
         let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
-        assert_eq!(hung(&said), 5, "five questions of each exercise: {said:?}");
-        assert_eq!(said[5], Said::NotAsked(5));
-    }
-    // Five limits for each answer, start included, halved each time; and a sixteenth of it from the fifth on.
-    assert!(took[0] >= 9 * limit, "{took:?}");
-    took[1..].sort();
-    assert!(took[6] < took[0] / 2, "{took:?}");
+        let mut expected = Vec::from(waits.map(|time| waited([time, 160])));
+        expected.push(Said::NotAsked(5));
+        assert_eq!(said, expected, "five questions of each exercise");
+        took
+    };
+    let first = exercise([160, 80, 40, 20, 10]);
+    // Four limits for each start besides, halved likewise.
+    assert!(first >= 9 * limit, "{first:?}");
+    let later = (0..11).map(|_| exercise([10; 5])).min();
+    // A busy machine makes some of them long, and not all.
+    assert!(
+        later.is_some_and(|later| later < first / 2),
+        "{later:?} after {first:?}"
+    );
 }
 
 #[test]
@@ -42,15 +54,18 @@ fn a_program_that_has_read_its_question_has_started() {
     let program = Counted::new("read q; exec sleep 100");
     let limit = Duration::from_secs(1);
     let questions = vec!["a".to_owned(); 40];
-    let start = Instant::now();
-    let replies = Asker::new(&program.program, Limits::of(limit)).ask(&questions);
-    let took = start.elapsed();
-    let replies = replies.expect("the shell can be started");
-    let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
-    assert_eq!(hung(&said), 5, "{said:?}");
-    if cfg!(target_os = "linux") {
-        assert!(took < 5 * limit, "without time for its start: {took:?}");
-    }
+    let takes = || {
+        let start = Instant::now();
+        let replies = Asker::new(&program.program, Limits::of(limit)).ask(&questions);
+        let took = start.elapsed();
+        let replies = replies.expect("the shell can be started");
+        let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
+        assert_eq!(hung(&said), 5, "{said:?}");
+        took
+    };
+    // Who waits for its start too takes nine limits each time. A busy machine may take as long, once.
+    let mut took = (0..3).map(|_| takes());
+    assert!(took.any(|took| took < 5 * limit) || cfg!(not(target_os = "linux")));
 }
 
 #[test]
@@ -108,10 +123,6 @@ fn who_hangs_in_many_exercises_and_then_answers_is_found_right() {
 #[test]
 fn each_wait_in_vain_halves_the_time_for_the_next_answers_of_the_exercise() {
     let counted = Counted::new(HANGS);
-    let milliseconds = |time| {
-        let [time, at_first] = [time, 480].map(Duration::from_millis);
-        Said::TimedOut(Waited { time, at_first })
-    };
     let mut asker = Asker::new(&counted.program, Limits::of(Duration::from_millis(480)));
     for _ in 0..2 {
         asker.next_exercise();
@@ -122,7 +133,7 @@ fn each_wait_in_vain_halves_the_time_for_the_next_answers_of_the_exercise() {
         let said: Vec<_> = replies.into_iter().map(|reply| reply.said).collect();
         let expected: Vec<_> = [480, 240, 120, 60, 30, 30, 30, 30]
             .into_iter()
-            .flat_map(|time| [milliseconds(time), answer("a")])
+            .flat_map(|time| [waited([time, 480]), answer("a")])
             .collect();
         assert_eq!(said, expected, "and what it answers counts");
     }

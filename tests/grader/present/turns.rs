@@ -3,7 +3,7 @@
 use super::{Server, size};
 use std::fs;
 use std::thread;
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 #[test]
 fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_then() {
@@ -41,12 +41,9 @@ fn a_picture_that_is_no_longer_wanted_holds_up_nothing() {
             assert!(left > 0 && !old.is_finished(), "it is being drawn");
             thread::sleep(Duration::from_millis(20));
         }
-        let start = Instant::now();
         let (status, _) = server.get("picture/ch22_antialiasing/picture?count=16&quick=1");
         assert_eq!(status, 200);
-        // Ten times as long as it takes on a busy machine, and a tenth of what the old picture takes.
-        let time = start.elapsed();
-        assert!(time < Duration::from_secs(5), "{time:?}");
+        // Had it been waited for, it would be a picture.
         let (status, said) = old.join().expect("it is answered");
         let said = String::from_utf8_lossy(&said);
         assert_eq!(

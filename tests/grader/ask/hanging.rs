@@ -15,7 +15,7 @@ fn hung(said: &[Said]) -> usize {
     said.iter().filter(hung).count()
 }
 
-/// What is said after a wait in vain of so many milliseconds, where an answer has so many at first.
+/// What is said after a wait in vain of `time` milliseconds, where an answer has `at_first`.
 fn waited([time, at_first]: [u64; 2]) -> Said {
     let [time, at_first] = [time, at_first].map(Duration::from_millis);
     Said::TimedOut(Waited { time, at_first })

@@ -1,8 +1,13 @@
 //! What a program may use in all: time and bytes, for each exercise and for a whole check.
 
+use crate::clock::waited;
 use crate::converse::Limits;
 use crate::slowness::{known, slowness};
 use std::time::Duration;
+
+/// An answer passes through this number of hands, each of which a busy machine may keep waiting: the program's, those of the thread that
+/// listens to it, and of the one that asks.
+const HANDS: u32 = 3;
 
 /// A limit of what all answers take together; on a slow machine the time is longer.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -67,15 +72,49 @@ impl Over {
 
 /// What is used of the total limits.
 #[derive(Clone, Debug)]
-pub(crate) struct Budget {
+pub struct Budget {
     accounts: [Account; 2],
 }
 
-#[derive(Clone, Debug)]
+#[derive(Clone, Copy, Debug)]
 struct Account {
     whole: Whole,
     limit: Total,
     used: Total,
+    /// How long the thread that asks had waited for the processor before.
+    waited_before: Duration,
+    /// What a busy machine took of the time around answers that came too soon for a [`Clock`](crate::clock::Clock) to look. It is found out
+    /// when the time seems to be used up.
+    forgiven: Duration,
+}
+
+impl Account {
+    fn new(whole: Whole, limit: Total) -> Self {
+        Self {
+            whole,
+            limit,
+            used: NOTHING,
+            waited_before: waited(),
+            forgiven: Duration::ZERO,
+        }
+    }
+
+    /// Forgives what the thread that asks waited for the processor, and the other hands about as long: of `time` and what is used already,
+    /// at most nine tenths, for a tenth of all time counts.
+    fn forgive(&mut self, time: Duration) {
+        let taken = HANDS * waited().saturating_sub(self.waited_before);
+        self.forgiven = taken.min((self.used.time + time) * 9 / 10);
+    }
+
+    /// The limit of time on a machine that takes `longer` times as long.
+    fn longest(&self, longer: f64) -> Duration {
+        self.limit.time.mul_f64(longer)
+    }
+
+    /// What is left of it.
+    fn time_left(&self, longer: f64) -> Duration {
+        (self.longest(longer) + self.forgiven).saturating_sub(self.used.time)
+    }
 }
 
 const NOTHING: Total = Total {
@@ -85,23 +124,19 @@ const NOTHING: Total = Total {
 
 impl Budget {
     /// Nothing is used yet.
-    pub(crate) fn new(limits: &Limits) -> Self {
-        let account = |whole, limit| Account {
-            whole,
-            limit,
-            used: NOTHING,
-        };
+    pub fn new(limits: &Limits) -> Self {
         Self {
             accounts: [
-                account(Whole::Exercise, limits.exercise),
-                account(Whole::Check, limits.check),
+                Account::new(Whole::Exercise, limits.exercise),
+                Account::new(Whole::Check, limits.check),
             ],
         }
     }
 
     /// Begins another exercise, which has its whole share; of the check, what is left is left.
     pub(crate) fn next_exercise(&mut self) {
-        self.accounts[0].used = NOTHING;
+        let Account { whole, limit, .. } = self.accounts[0];
+        self.accounts[0] = Account::new(whole, limit);
     }
 
     /// Books what a conversation took.
@@ -113,34 +148,36 @@ impl Budget {
     }
 
     /// The limit that another `time` and `bytes` would reach, if they reach one.
-    pub(crate) fn over(&self, time: Duration, bytes: usize) -> Option<Over> {
+    pub fn over(&mut self, time: Duration, bytes: usize) -> Option<Over> {
         let over = self.reached(time, bytes, known())?;
         match over {
-            Over::Time(..) => self.reached(time, bytes, slowness()),
+            Over::Time(..) => {
+                self.accounts.iter_mut().for_each(|of| of.forgive(time));
+                self.reached(time, bytes, slowness())
+            }
             Over::Bytes(..) => Some(over),
         }
     }
 
     /// The same, with limits of time that are `longer` times as long.
     fn reached(&self, time: Duration, bytes: usize, longer: f64) -> Option<Over> {
-        self.accounts
-            .iter()
-            .find_map(|Account { whole, limit, used }| {
-                let longest = limit.time.mul_f64(longer);
-                if used.time + time >= longest {
-                    Some(Over::Time(*whole, longest))
-                } else if used.bytes.saturating_add(bytes) > limit.bytes {
-                    Some(Over::Bytes(*whole, limit.bytes))
-                } else {
-                    None
-                }
-            })
+        self.accounts.iter().find_map(|account| {
+            let Account {
+                whole, limit, used, ..
+            } = account;
+            if time >= account.time_left(longer) {
+                Some(Over::Time(*whole, account.longest(longer)))
+            } else if used.bytes.saturating_add(bytes) > limit.bytes {
+                Some(Over::Bytes(*whole, limit.bytes))
+            } else {
+                None
+            }
+        })
     }
 
     /// How long a conversation may be at the most.
     pub(crate) fn time_left(&self) -> Duration {
-        let longest = |limit: Total| limit.time.mul_f64(known());
-        let left = |account: &Account| longest(account.limit).saturating_sub(account.used.time);
+        let left = |account: &Account| account.time_left(known());
         self.accounts.iter().map(left).min().unwrap_or_default()
     }
 }

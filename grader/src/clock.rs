@@ -162,3 +162,17 @@ pub fn usage(group: u32) -> Option<Usage> {
 pub fn usage(_group: u32) -> Option<Usage> {
     None
 }
+
+/// How long this thread could have gone on since it began, and waited for a processor (`/proc/thread-self/schedstat`, in nanoseconds).
+#[cfg(target_os = "linux")]
+pub(crate) fn waited() -> Duration {
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
+    let waited = text.split_ascii_whitespace().nth(1);
+    Duration::from_nanos(waited.and_then(|word| word.parse().ok()).unwrap_or(0))
+}
+
+/// The same elsewhere: nothing is known.
+#[cfg(not(target_os = "linux"))]
+pub(crate) fn waited() -> Duration {
+    Duration::ZERO
+}

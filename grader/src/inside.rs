@@ -4,6 +4,7 @@
 //! cannot reach through what is public, they take from here.
 
 pub use crate::attempt::attempt;
+pub use crate::budget::Budget;
 pub use crate::clock::{Clock, usage};
 pub use crate::serve::until::Until;
 #[cfg(target_os = "linux")]

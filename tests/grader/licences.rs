@@ -2,7 +2,7 @@
 //! the package.
 //!
 //! `RAYBOOK_BLESS=1 cargo test -p raybook-grader licences` writes `NOTICE` anew. What belongs to other systems is left to
-//! `cargo deny check`, for which this needs no network.
+//! `cargo deny check`.
 #![cfg(all(target_os = "linux", target_arch = "x86_64"))] // the packages of one system, so that NOTICE is one
 
 use raybook_common::project;
@@ -25,7 +25,7 @@ licences` renews the list.
 /// own too.
 fn linked() -> Vec<[String; 3]> {
     let output = Command::new(env!("CARGO"))
-        .args(["metadata", "--format-version", "1", "--locked", "--offline"])
+        .args(["metadata", "--format-version", "1", "--locked"])
         .args(["--filter-platform", "x86_64-unknown-linux-gnu"])
         .current_dir(project(""))
         .output()

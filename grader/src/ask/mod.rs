@@ -181,7 +181,7 @@ impl<'a> Asker<'a> {
 
     /// The questions without a reply; `None` where there are none, or no more are to be asked: then each has that as its reply.
     fn still_to_ask<'q>(
-        &self,
+        &mut self,
         questions: &'q [String],
         replies: &mut Vec<Reply>,
     ) -> Option<&'q [String]> {
@@ -197,7 +197,7 @@ impl<'a> Asker<'a> {
     }
 
     /// Why no more is asked, if so.
-    fn stops(&self, replies: &[Reply]) -> Option<Said> {
+    fn stops(&mut self, replies: &[Reply]) -> Option<Said> {
         let over = self.budget.over(Duration::ZERO, 0).map(Said::Over);
         let waits = self.waits - self.waits_before;
         let hangs = || (waits >= WAITS).then_some(Said::NotAsked(WAITS as usize));

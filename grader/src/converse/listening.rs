@@ -194,8 +194,9 @@ impl<'a> Listening<'a> {
     }
 
     /// The total limit that is used up, if one is.
-    fn over(&self) -> Option<End> {
-        let over = self.budget.over(self.blamed(), self.bytes_in_all);
+    fn over(&mut self) -> Option<End> {
+        let blamed = self.blamed();
+        let over = self.budget.over(blamed, self.bytes_in_all);
         over.map(End::Over)
     }
 

@@ -44,6 +44,17 @@ fn curve(out: &Path, file: &str, pattern: &str) -> Vec<(usize, f64)> {
         .collect()
 }
 
+/// A program's errors, each with the library's of as many points.
+fn beside<'a>(
+    own: &'a [(usize, f64)],
+    librarys: &'a [(usize, f64)],
+) -> impl Iterator<Item = ((usize, f64), f64)> + 'a {
+    own.iter().map(|&(n, error)| {
+        let of_as_many = librarys.iter().find(|(of, _)| *of == n);
+        ((n, error), of_as_many.expect("as many points").1)
+    })
+}
+
 #[test]
 fn a_programs_own_patterns_are_drawn_beside_the_librarys() {
     let out = tempfile::tempdir().expect("a temporary folder");
@@ -83,8 +94,9 @@ fn a_programs_own_patterns_are_drawn_beside_the_librarys() {
     }
     let own = curve(out.path(), "error_smooth.csv", "my-jittered");
     let librarys = curve(out.path(), "error_smooth.csv", "jittered");
-    assert_eq!(own.len(), 12, "every number of points");
-    for ((n, own), (_, librarys)) in own.iter().zip(librarys) {
+    // On a busy machine it is asked for fewer: half of them are sure to be there.
+    assert!((6..=12).contains(&own.len()), "{own:?}");
+    for ((n, own), librarys) in beside(&own, &librarys) {
         // Twenty realisations know an error to 16 % (one standard deviation), and here are two.
         assert!(
             (own / librarys).ln().abs() < 1.2,
@@ -93,9 +105,9 @@ fn a_programs_own_patterns_are_drawn_beside_the_librarys() {
     }
     let own = curve(out.path(), "error_straight_edge.csv", "my-regular-grid");
     let librarys = curve(out.path(), "error_straight_edge.csv", "regular-grid");
-    for ((n, own), (_, librarys)) in own.iter().zip(librarys) {
+    for ((n, own), librarys) in beside(&own, &librarys) {
         assert!(
-            (own - librarys).abs() < 1.5 / *n as f64,
+            (own - librarys).abs() < 1.5 / n as f64,
             "{n}: {own}, {librarys}: but for points on the edge"
         );
     }

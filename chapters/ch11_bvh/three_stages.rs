@@ -87,10 +87,7 @@ impl Diagram<'_, '_, '_> {
     fn draw(&self, root: &Node) -> Drawn {
         self.subtree(root, 0, 0, &mut 0)?;
         let text = |text: &str, y| self.paper.centred(text, vec2(3.5, y), 36, INK);
-        text(
-            "nodes, depth-first, the children of a branch side by side",
-            -0.62,
-        )
+        text("nodes, depth-first; siblings lie side by side", -0.62)
     }
 
     /// Draws a subtree with this number in the array; `leaves` have been drawn to the left of it. Returns its place.

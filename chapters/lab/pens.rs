@@ -19,21 +19,24 @@ const MARKS: [Mark; 7] = [
     Mark::Cross(45),
 ];
 
-/// The colours of curves, in order: seven, and then the same ones darker.
+/// The colours of curves, in order: seven, and then the same ones darker, with grey for black.
 pub fn colour(i: usize) -> RGBColor {
     let RGBColor(r, g, b) = [VERMILION, BLUE, GREEN, ORANGE, PURPLE, SKY, BLACK][i % 7];
     match i / 7 {
         0 => RGBColor(r, g, b),
+        _ if i % 7 == 6 => RGBColor(110, 110, 110),
         _ => RGBColor(r / 2, g / 2, b / 2),
     }
 }
 
-/// The pen of number i: no other pen has the same colour, dash and mark.
+/// The pen of number i: no two of the first 16 have the same dash and mark, nor one of these and the same colour.
 pub fn pen(i: usize) -> Pen {
+    // From the fifteenth pen on, the darker colours come again: with other marks.
+    let mark = i + 4 * (i / 14);
     Pen {
         stroke: colour(i).stroke_width(5),
         dash: DASHES[i % DASHES.len()],
-        mark: MARKS[i % MARKS.len()],
+        mark: MARKS[mark % MARKS.len()],
         filled: (i / MARKS.len()).is_multiple_of(2),
     }
 }

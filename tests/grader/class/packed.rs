@@ -9,11 +9,12 @@ use std::process::Command;
 
 const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
 
-/// Unpacks a zip with the rights of its files, as `unzip` does.
+/// Unpacks a zip with the rights of its files, as `unzip` does; refuses a date that is none.
 const UNZIP: &str = "\
-import os, sys, zipfile
+import datetime, os, sys, zipfile
 with zipfile.ZipFile(sys.argv[1]) as packed:
     for entry in packed.infolist():
+        datetime.datetime(*entry.date_time)
         os.chmod(packed.extract(entry, sys.argv[2]), entry.external_attr >> 16 & 0o777)
 ";
 

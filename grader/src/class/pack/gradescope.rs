@@ -4,6 +4,7 @@
 use super::beside::Beside;
 use flate2::Compression;
 use flate2::write::DeflateEncoder;
+use rawzip::time::UtcDateTime;
 use rawzip::{CompressionMethod, ZipArchiveWriter};
 use std::io::{self, Write};
 
@@ -20,6 +21,8 @@ pub fn autograder(
 ) -> io::Result<Vec<u8>> {
     const PROGRAM: u32 = 0o755;
     const SECRET: u32 = 0o600;
+    // 1980-01-01, the first day that a zip can tell: the same course makes the same bytes. Without a time, rawzip writes day 0.
+    let day = UtcDateTime::from_unix(315_532_800);
     let mut packed = Vec::new();
     let mut archive = ZipArchiveWriter::new(&mut packed);
     let own = beside.iter().map(|file| {
@@ -46,7 +49,9 @@ pub fn autograder(
     ];
     for (name, rights, bytes) in files.into_iter().chain(own) {
         let file = archive.new_file(name).unix_permissions(rights);
-        let deflated = file.compression_method(CompressionMethod::DEFLATE);
+        let deflated = file
+            .last_modified(day)
+            .compression_method(CompressionMethod::DEFLATE);
         let (mut entry, config) = deflated.start().map_err(io::Error::other)?;
         let mut writer = config.wrap(DeflateEncoder::new(&mut entry, Compression::default()));
         writer.write_all(bytes)?;

@@ -8,8 +8,8 @@ pub(super) const FEW: usize = 32;
 
 /// Reorders at most [`FEW`] items by the best split; returns how many are on the left, and the price of both sides.
 ///
-/// It is the split of [`sah_split`](crate::accel::bvh::build::sweep::sah_split), but for items with equal centres, which keep their order here. Most branches of a tree are at its
-/// bottom: so nothing is allocated, and what is sorted are numbers of 64 bits.
+/// It is the split of [`sah_split`](crate::accel::bvh::build::sweep::sah_split), but for items with equal centres, which keep
+/// their order here. Most branches of a tree are at its bottom: so nothing is allocated, and what is sorted are numbers of 64 bits.
 pub(crate) fn best(items: &mut [Item], cost: &Cost) -> (usize, f32) {
     let n = items.len();
     let (mut left, mut least) = (n / 2, f32::INFINITY);

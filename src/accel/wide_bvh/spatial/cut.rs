@@ -149,7 +149,7 @@ impl Cut {
             .collect();
         let mut slices = [[Slice::EMPTY; SLICES]; 3];
         // Odd, for neighbours in a list are often pairs. Each item once, for all axes: its triangle is somewhere else in memory.
-        let step = items.len() / SAMPLE | 1;
+        let step = (items.len() / SAMPLE) | 1;
         for item in items.iter().step_by(step) {
             for (planes, slices) in planes.iter().zip(&mut slices) {
                 planes.add(item, facets, slices);

@@ -154,7 +154,7 @@ pub mod wide_bvh {
     pub use crate::accel::wide_bvh::optimal::collapse as collapse_optimally;
     pub use crate::accel::wide_bvh::tree::Tree;
 
-    use crate::accel::bvh::build::{Method, cost::Cost};
+    use crate::accel::bvh::build::{Method, cost::Cost, item::Item};
     use crate::accel::wide_bvh::{self, WideBvh};
     use crate::math::{aabb::Aabb, interval::Interval, ray::Ray};
     use crate::shape::{Hit, mesh::Facet};
@@ -170,6 +170,11 @@ pub mod wide_bvh {
     /// The tree with cuts through triangles, even if they do not pay.
     pub fn cut(facets: Vec<Facet>) -> WideBvh {
         WideBvh::cut(facets)
+    }
+
+    /// Reorders at most 32 items by the best split; returns how many are on the left, and the price of both sides.
+    pub fn split_of_few(items: &mut [Item], cost: &Cost) -> (usize, f32) {
+        wide_bvh::spatial::few::best(items, cost)
     }
 
     /// The tree.

@@ -35,7 +35,7 @@ mod proof;
 mod ray;
 mod refit;
 mod search;
-mod spatial;
+pub(crate) mod spatial;
 mod stack;
 pub(crate) mod tree;
 mod validate;

@@ -4,10 +4,11 @@ use super::scenes::facets;
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::{Accel, Tests, bvh::build::Method, list::List, wide_bvh::WideBvh};
-use raybook::inside::wide_bvh;
+use raybook::inside::bvh::{Item, sah_split};
+use raybook::inside::wide_bvh::{self, COST, split_of_few};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
-use raybook::shape::mesh::Facet;
+use raybook::shape::{Shape, mesh::Facet};
 
 /// Facets of one rope.
 const ROPE: usize = 8;
@@ -105,4 +106,19 @@ fn cuts_save_half_of_the_tests() {
         2 * cut.shapes < whole.shapes && 3 * cut.boxes < 2 * whole.boxes,
         "{cut:?} with cuts, and {whole:?} without: a third and a half were measured"
     );
+}
+
+#[test]
+fn few_items_are_split_as_by_the_sweep() {
+    for n in 2..=32 {
+        let boxes = soup(n, 1).facets().into_iter().map(|facet| facet.bounds());
+        let items: Vec<_> = boxes.enumerate().map(|(i, b)| Item::new((i, &b))).collect();
+        let [by_few, by_sweep] = [split_of_few, sah_split].map(|split| {
+            let mut items = items.clone();
+            let split = split(&mut items, &COST);
+            let order: Vec<_> = items.iter().map(|item| item.index).collect();
+            (split, order)
+        });
+        assert_eq!(by_few, by_sweep, "{n} items");
+    }
 }

@@ -20,13 +20,9 @@ pub(super) fn split(items: &mut [Item], extent: &Extent, cost: &Cost) -> Option<
     }
 }
 
-/// Reorders the items by the split that [`split`] chooses, even if a leaf costs less; returns how many are on the left, and the
+/// Reorders the items by the best split between bins, even if a leaf costs less; returns how many are on the left, and the
 /// price of both sides.
-pub(crate) fn best(items: &mut [Item], extent: &Extent, cost: &Cost) -> (usize, f32) {
-    if items.len() <= FEW {
-        sweep::sah_split(items, cost)
-    } else {
-        let cut = Cut::best::<32>(items, extent, cost);
-        (cut.apply(items), cut.cost)
-    }
+pub(crate) fn of_many(items: &mut [Item], extent: &Extent, cost: &Cost) -> (usize, f32) {
+    let cut = Cut::best::<32>(items, extent, cost);
+    (cut.apply(items), cut.cost)
 }

@@ -1,7 +1,8 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
 use super::function::diagnosed;
-use raybook_grader::diagnose::Diagnosis;
+use raybook_grader::cases;
+use raybook_grader::diagnose::{Beside, Diagnosis};
 
 fn names(found: &Diagnosis) -> Vec<&str> {
     let also = found.also.iter().map(|also| also.name.as_str());
@@ -75,4 +76,66 @@ fn a_mistake_in_each_of_two_parts_is_told_in_its_part() {
         (Some("direction"), "draws the picture mirrored"),
     ];
     assert_eq!(told, both);
+}
+
+/// Both mistakes, which only together explain all answers.
+fn together(found: &Diagnosis) -> [&str; 2] {
+    let then = found.also.first().expect("a second mistake");
+    assert_eq!(then.beside, Beside::Together, "{found:?}");
+    [&found.name, &then.name]
+}
+
+#[test]
+fn who_halves_the_half_vector_and_forgets_the_light_below_is_told_both_though_the_second_shows_in_three_cases()
+ {
+    let found = diagnosed("blinn_phong", |q| {
+        let [n, v, l, i, k_d, k_s] =
+            [0, 3, 6, 9, 12, 15].map(|from| glam::DVec3::from_slice(&q[from..]));
+        let shine = n.dot(0.5 * (l + v)).max(0.0).powf(q[18]);
+        let light = (n.dot(l).max(0.0) * k_d + shine * k_s) * i;
+        Some(light.to_array().to_vec())
+    });
+    let [first, second] = together(&found);
+    assert_eq!(first, "halves L + V instead of normalising it");
+    assert!(
+        second.contains("below") || second.contains("L·N"),
+        "{second}"
+    );
+}
+
+#[test]
+fn who_counts_from_1_and_forgets_the_limit_is_told_both_though_the_second_shows_in_one_case() {
+    let asked = cases::find("refine_cell").expect("an exercise");
+    let forgets = |(name, _): &(&str, &str)| name.contains("255");
+    let forgets = asked.mistakes().iter().position(forgets);
+    let forgets = forgets.expect("it is on the list");
+    let found = diagnosed("refine_cell", |q| {
+        let mut answer = asked.mistake_answers(forgets, q)?;
+        answer[4..]
+            .iter_mut()
+            .skip(3)
+            .step_by(4)
+            .for_each(|shape| *shape += 1.0);
+        Some(answer)
+    });
+    let [first, second] = together(&found);
+    assert_eq!(first, "counts shape from 1 instead of 0: one too much");
+    assert!(second.contains("255"), "{second}");
+}
+
+#[test]
+fn who_turns_normals_inwards_and_gives_them_to_first_corners_only_is_told_both() {
+    let found = diagnosed("vertex_normals", |q| {
+        let count = q[0] as usize;
+        let p = |k: f64| glam::DVec3::from_slice(&q[1 + 3 * k as usize..]);
+        let mut sums = vec![glam::DVec3::ZERO; count];
+        for triangle in q[2 + 3 * count..].chunks(3) {
+            let [a, b, c] = [0, 1, 2].map(|i| triangle[i]);
+            sums[a as usize] += (p(c) - p(a)).cross(p(b) - p(a));
+        }
+        let unit = |sum: &glam::DVec3| sum.try_normalize().unwrap_or(glam::DVec3::Y).to_array();
+        Some([vec![q[0]], sums.iter().flat_map(unit).collect()].concat())
+    });
+    let both = together(&found).join(" and ");
+    assert!(both.contains("the corners of a triangle"), "{both}");
 }

@@ -76,7 +76,6 @@ common! {
     [] 12 "takes the value divided by π², as if it were divided by π instead of multiplied": Each |v| v / (PI * PI);
     [1 2] 11 "takes the value plus 1": Each |v| v + 1.0;
     [1 2] 11 "takes the value minus 1": Each |v| v - 1.0;
-    [1] 12 "takes 2, as if it were a mean of two": Each |_| 2.0;
     [1 2] 12 "takes the value plus ½": Each |v| v + 0.5;
     [1 2] 12 "takes the value minus ½": Each |v| v - 0.5;
     [1 2] 12 "takes the value plus 2": Each |v| v + 2.0;

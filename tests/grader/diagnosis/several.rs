@@ -86,24 +86,6 @@ fn together(found: &Diagnosis) -> [&str; 2] {
 }
 
 #[test]
-fn who_takes_another_exponent_and_does_not_clamp_is_told_both_though_the_second_shows_in_one_case()
-{
-    let found = diagnosed("encode_srgb", |q| {
-        let v = q[0].max(0.0);
-        Some(vec![if v <= 0.0031308 {
-            12.92 * v
-        } else {
-            1.055 * v.powf(1.0 / 2.2) - 0.055
-        }])
-    });
-    let both = [
-        "takes 1/2.2 for the exponent of the curve",
-        "never takes it into account when v is above 1",
-    ];
-    assert_eq!(together(&found), both);
-}
-
-#[test]
 fn who_counts_from_1_and_forgets_the_limit_is_told_both_though_the_second_shows_in_one_case() {
     let asked = cases::find("refine_cell").expect("an exercise");
     let forgets = |(name, _): &(&str, &str)| name.contains("255");

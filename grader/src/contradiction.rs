@@ -1,18 +1,8 @@
-//! Whether a question contradicts what its exercise says of questions: in the meaning of a field, or in the *Limits* that `raybook exercise`
-//! prints.
+//! Whether a question contradicts what its exercise says of questions: the range of a field, or the *Limits* that `raybook exercise` prints.
 
 use crate::examine::{Examiner, RANDOM_CASES, visible_rng};
-use crate::layout::{Part, layout, lists, meanings, parts};
+use crate::layout::{Part, layout, lists, parts};
 use raybook_workbook::kind::Kind;
-
-/// Whether a number is as a meaning says.
-type IsSo = fn(f64) -> bool;
-
-/// What meanings say of numbers.
-const STATED: [(&str, IsSo); 2] = [
-    (", above 0", |v| v > 0.0),
-    (", from 0 to 1", |v| (0.0..=1.0).contains(&v)),
-];
 
 /// The questions of the random cases and of the named ones that the course has.
 pub(crate) struct Questions<'a> {
@@ -65,26 +55,21 @@ impl<'a> Questions<'a> {
     /// The place of the word that is not, from 1, and what was expected of it. (A question has a word for each number: no part of one is optional.)
     pub fn admit(&self, question: &[f64]) -> Result<(), (usize, String)> {
         let kind = self.examiner.asked().question;
-        let meanings = meanings(kind);
         let layout = layout(kind, question);
         for leaf in &layout.leaves {
-            let Part { name, kind, .. } = &self.parts[leaf.part];
+            let Part {
+                name, kind, range, ..
+            } = &self.parts[leaf.part];
             let values = &question[leaf.range()];
             let (unit, infinite) = self.seen[leaf.part];
-            let field = name.rsplit('.').next().unwrap_or(name);
-            let of_field = || meanings.iter().filter(|(of, _)| *of == field);
             for (&v, word) in values.iter().zip(leaf.start + 1..) {
                 if v.is_nan() || (v.is_infinite() && !infinite) {
                     let what = format!("`{name}` is {v}, and should be a finite number");
                     return Err((word, what));
                 }
-                for (said, is_so) in STATED {
-                    if of_field().any(|(_, meaning)| meaning.contains(said)) && !is_so(v) {
-                        return Err((
-                            word,
-                            format!("`{name}` is {v}, and should be{}", &said[1..]),
-                        ));
-                    }
+                if let Some(range) = range.filter(|range| !range.holds(v)) {
+                    let what = format!("`{name}` is {v}, and should be {}", range.words);
+                    return Err((word, what));
                 }
             }
             if (unit || matches!(kind, Kind::Direction)) && !is_unit(values) {

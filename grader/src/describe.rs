@@ -193,6 +193,7 @@ fn of_parts(kind: &Kind, seen: &Seen, depth: usize, rows: &mut Vec<Row>) {
                     name: word,
                     kind,
                     meaning: "this word, and then:",
+                    range: None,
                 };
                 of_field(&field, seen, depth, rows);
             }

@@ -1,7 +1,7 @@
 //! Where the values of a row stand in its numbers, as its kind tells.
 
-use raybook_workbook::kind::{Field, Kind};
-use std::ops::Range;
+use raybook_workbook::kind::{Field, Kind, Range};
+use std::ops;
 
 /// A value by name: a number, a whole number, or numbers that belong together.
 #[derive(Clone, Debug)]
@@ -12,6 +12,8 @@ pub struct Part {
     pub kind: &'static Kind,
     /// The innermost list that it is in, by number.
     pub list: Option<usize>,
+    /// Which numbers it may be, if its declaration says so.
+    pub range: Option<Range>,
 }
 
 /// A value in a row.
@@ -27,7 +29,7 @@ pub struct Leaf {
 
 impl Leaf {
     /// The place of its numbers.
-    pub fn range(&self) -> Range<usize> {
+    pub fn range(&self) -> ops::Range<usize> {
         self.start..self.start + self.len
     }
 }
@@ -40,7 +42,7 @@ pub struct Span {
     /// Where its length stands.
     pub count: usize,
     /// The places of its elements.
-    pub elements: Vec<Range<usize>>,
+    pub elements: Vec<ops::Range<usize>>,
 }
 
 /// What is in a row.
@@ -54,50 +56,80 @@ pub struct Layout {
 
 /// The parts of a kind, in order.
 pub fn parts(kind: &'static Kind, name: &str) -> Vec<Part> {
-    let mut parts = Vec::new();
-    let mut lists = 0;
-    add_parts(kind, &[name], None, &mut lists, &mut parts);
-    let short = |path: &[String]| path.last().cloned().unwrap_or_default();
-    let named: Vec<_> = parts.iter().map(|(path, ..)| short(path)).collect();
-    let part = |(path, kind, list): (Vec<String>, &'static Kind, Option<usize>)| {
-        let name = short(&path);
-        let alone = named.iter().filter(|other| **other == name).count() == 1;
-        let from = path.len().saturating_sub(2);
-        let name = if alone { name } else { path[from..].join(".") };
-        Part { name, kind, list }
+    let mut found = Vec::new();
+    let at = Place {
+        path: vec![name],
+        list: None,
+        range: None,
     };
-    parts.into_iter().map(part).collect()
+    add_parts(kind, &at, &mut 0, &mut found);
+    let short = |at: &Place| at.path.last().copied().unwrap_or_default().to_owned();
+    let named: Vec<_> = found.iter().map(|(at, _)| short(at)).collect();
+    let part = |(at, kind): (Place<'_>, &'static Kind)| {
+        let name = short(&at);
+        let alone = named.iter().filter(|other| **other == name).count() == 1;
+        let from = at.path.len().saturating_sub(2);
+        let name = if alone {
+            name
+        } else {
+            at.path[from..].join(".")
+        };
+        Part {
+            name,
+            kind,
+            list: at.list,
+            range: at.range,
+        }
+    };
+    found.into_iter().map(part).collect()
 }
 
-type Found = (Vec<String>, &'static Kind, Option<usize>);
-
-fn add_parts(
-    kind: &'static Kind,
-    path: &[&str],
+/// Where a value is in a row.
+#[derive(Clone)]
+struct Place<'a> {
+    /// The names of the fields that it is in, and its own.
+    path: Vec<&'a str>,
+    /// The innermost list that it is in.
     list: Option<usize>,
+    /// The range of the innermost field.
+    range: Option<Range>,
+}
+
+impl<'a> Place<'a> {
+    /// A field of this place.
+    fn below(&self, name: &'a str, range: Option<Range>) -> Self {
+        let mut path = self.path.clone();
+        path.push(name);
+        let list = self.list;
+        Self { path, list, range }
+    }
+}
+
+fn add_parts<'a>(
+    kind: &'static Kind,
+    at: &Place<'a>,
     lists: &mut usize,
-    parts: &mut Vec<Found>,
+    found: &mut Vec<(Place<'a>, &'static Kind)>,
 ) {
-    let mut below =
-        |name: &str, kind, list| add_parts(kind, &[path, &[name]].concat(), list, lists, parts);
     match kind {
         Kind::Number | Kind::Whole | Kind::Numbers(_) | Kind::Direction => {
-            let path = path.iter().map(|&name| name.to_owned());
-            parts.push((path.collect(), kind, list));
+            found.push((at.clone(), kind));
         }
-        Kind::Optional(kind) => add_parts(kind, path, list, lists, parts),
+        Kind::Optional(kind) => add_parts(kind, at, lists, found),
         Kind::List(kind) => {
+            let list = Some(*lists);
             *lists += 1;
-            add_parts(kind, path, Some(*lists - 1), lists, parts);
+            add_parts(kind, &Place { list, ..at.clone() }, lists, found);
         }
         Kind::Record(record) => {
-            for Field { name, kind, .. } in record.fields {
-                below(name, kind, list);
+            for field in record.fields {
+                let at = at.below(field.name, field.range);
+                add_parts(field.kind, &at, lists, found);
             }
         }
         Kind::Choice(choices) => {
             for (word, kind) in *choices {
-                below(word, kind, list);
+                add_parts(kind, &at.below(word, None), lists, found);
             }
         }
     }

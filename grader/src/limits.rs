@@ -78,16 +78,36 @@ fn of_questions(kind: &'static Kind, rows: &[Row<'_>]) -> Vec<String> {
     };
     let (empty, filled): (Vec<_>, Vec<_>) = (0..names.len()).partition(|&list| length_0(list));
     let named = |which: Vec<usize>| which.iter().map(|&i| names[i].clone()).collect::<Vec<_>>();
-    [
+    let mut said = of_ranges(&parts);
+    let found = [
         ("Of length 1 in every question", units),
         ("May be infinite in a question", infinite),
         ("May be empty in a question", named(empty)),
         ("Never empty in a question", named(filled)),
-    ]
-    .into_iter()
-    .filter(|(_, names)| !names.is_empty())
-    .map(|(what, names)| format!("{what}: {}.", quoted(&names)))
-    .collect()
+    ];
+    for (what, names) in found {
+        if !names.is_empty() {
+            said.push(format!("{what}: {}.", quoted(&names)));
+        }
+    }
+    said
+}
+
+/// The ranges that the declarations of fields state, each with its fields.
+fn of_ranges(parts: &[Part]) -> Vec<String> {
+    let mut stated: Vec<(&str, Vec<String>)> = Vec::new();
+    for part in parts {
+        let Some(range) = part.range else { continue };
+        let name = part.name.clone();
+        match stated.iter_mut().find(|(words, _)| *words == range.words) {
+            Some((_, names)) => names.push(name),
+            None => stated.push((range.words, vec![name])),
+        }
+    }
+    let said = |(words, names): &(&str, Vec<String>)| {
+        format!("Always {words} in a question: {}.", quoted(names))
+    };
+    stated.iter().map(said).collect()
 }
 
 /// Where the right answer is `none`, an infinity or an empty list.

@@ -1,5 +1,6 @@
 //! How often a mistake is called by its right name: mistakes written apart from the lists, most of which know nothing of them.
 
+mod bounds;
 mod channels;
 mod comparisons;
 mod ends;

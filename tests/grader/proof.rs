@@ -78,8 +78,9 @@ impl Proof {
             proof.mistakes += 1;
             let who = || format!("{}: who {name}", proof.name);
             let answer = |case: &Case| {
-                let right = passes(examiner, i, case);
-                (examiner.mistaken(i, &case.question), right)
+                let answer = examiner.mistaken(i, &case.question);
+                let right = is_right(examiner, case, answer.as_deref());
+                (answer, right)
             };
             let answers: Vec<_> = visible.iter().map(answer).collect();
             let wrong = |(case, (_, right)): (&Case, &(_, bool))| !right && !case.is_random();
@@ -145,11 +146,12 @@ fn share(examiner: &dyn Examiner, i: usize, hidden: &[Vec<Case>]) -> f64 {
 /// Whether a mistake gets a case right, by luck.
 fn passes(examiner: &dyn Examiner, mistake: usize, case: &Case) -> bool {
     let answer = examiner.mistaken(mistake, &case.question);
-    answer.is_some_and(|answer| {
-        examiner
-            .judge(&case.question, &case.answers, &answer)
-            .is_ok()
-    })
+    is_right(examiner, case, answer.as_deref())
+}
+
+fn is_right(examiner: &dyn Examiner, case: &Case, answer: Option<&str>) -> bool {
+    let verdict = |got| examiner.judge(&case.question, &case.answers, got);
+    answer.is_some_and(|got| verdict(got).is_ok())
 }
 
 static PROOFS: LazyLock<Vec<Proof>> = LazyLock::new(|| ASKED.par_iter().map(Proof::of).collect());

@@ -129,6 +129,8 @@ pub(crate) const fn task(comment: &'static str) -> (&'static str, &'static str) 
 ///     SphereHit: sphere_hit(
 ///         /// What the parameter means, and its unit.
 ///         ray: Ray,
+///         /// What this one means; its range ends the sentence,
+///         radius: f32 [above 0],
 ///     ) -> (
 ///         /// What the answer means, and its unit.
 ///         t: Option<f32>,
@@ -146,10 +148,10 @@ macro_rules! exercises {
         $(#[doc = $task:literal])+
         $exercise:ident: $name:ident($(
             $(#[doc = $meaning:literal])+
-            $field:ident: $kind:ty
+            $field:ident: $kind:ty $([$($range:tt)+])?
         ),+ $(,)?) -> (
             $(#[doc = $answers:literal])+
-            $answer:ident: $type:ty $(,)?
+            $answer:ident: $type:ty $([$($within:tt)+])? $(,)?
         ) $(|$q:ident|)? $body:block
     )+) => {
         /// The exercises of this chapter, in order.
@@ -168,7 +170,7 @@ macro_rules! exercises {
             crate::record::row! {
                 $(#[doc = $task])+
                 pub struct $exercise {
-                    $($(#[doc = $meaning])+ pub $field: $kind),+
+                    $($(#[doc = $meaning])+ pub $field: $kind $([$($range)+])?),+
                 }
             }
 
@@ -177,11 +179,8 @@ macro_rules! exercises {
                 const NAME: &'static str = stringify!($name);
                 const TASK: &'static str = crate::exercise::task(concat!($($task),+)).0;
                 const IN_RUST: &'static str = crate::exercise::task(concat!($($task),+)).1;
-                const ANSWER: crate::kind::Field = crate::kind::Field {
-                    name: stringify!($answer),
-                    kind: <$type as crate::row::Row>::KIND,
-                    meaning: concat!($($answers),+).trim_ascii(),
-                };
+                const ANSWER: crate::kind::Field =
+                    crate::record::field!($(#[doc = $answers])+ $answer: $type $([$($within)+])?);
 
                 fn answer(&self) -> Self::Answer {
                     crate::exercise::answer_of!(self [$($q)?] [$($field),+] $body)

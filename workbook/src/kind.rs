@@ -1,5 +1,7 @@
 //! Kinds: what a row is made of, as data. Whatever is said of rows to people, and in other languages, follows from here.
 
+use std::ops::{Bound, RangeBounds};
+
 /// The kind of a value in a row.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Kind {
@@ -46,8 +48,27 @@ pub struct Field {
     pub name: &'static str,
     /// Its kind.
     pub kind: &'static Kind,
-    /// What it means, and in which unit.
+    /// What it means, and in which unit; the words of its range are the end of the sentence.
     pub meaning: &'static str,
+    /// Which numbers it may be, if its declaration says so.
+    pub range: Option<Range>,
+}
+
+/// Which numbers a field may be; of a vector or a list, each of its numbers.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Range {
+    /// As the declaration has it: "above 0".
+    pub words: &'static str,
+    /// The smallest and the largest number.
+    pub ends: [Bound<i32>; 2],
+}
+
+impl Range {
+    /// Whether a number is in it.
+    pub fn holds(&self, v: f64) -> bool {
+        let [least, most] = self.ends.map(|end| end.map(f64::from));
+        (least, most).contains(&v)
+    }
 }
 
 /// A vector of three numbers.

@@ -7,32 +7,74 @@ use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 
 /// Defines a struct that is a row: its fields in order, each with a comment that says what it means, and in which unit.
+///
+/// Where a field has a range, its words end the comment's sentence:
+///
+/// ```text
+/// /// The radius, in metres,
+/// pub radius: f32 [above 0],
+/// ```
 macro_rules! row {
     ($(#[doc = $doc:literal])+ pub struct $name:ident {
-        $($(#[doc = $meaning:literal])+ pub $field:ident: $kind:ty),+ $(,)?
+        $($(#[doc = $meaning:literal])+ pub $field:ident: $kind:ty $([$($range:tt)+])?),+ $(,)?
     }) => {
         $(#[doc = $doc])+
         #[derive(Clone, Debug, PartialEq)]
         pub struct $name {
-            $($(#[doc = $meaning])+ pub $field: $kind),+
+            $($(#[doc = $meaning])+ $(#[doc = concat!(" ", stringify!($($range)+), ".")])? pub $field: $kind),+
         }
 
-        crate::record::row_of!($name { $($(#[doc = $meaning])+ $field: $kind),+ });
+        crate::record::row_of!($name { $($(#[doc = $meaning])+ $field: $kind $([$($range)+])?),+ });
+    };
+}
+
+/// Makes the field of a declaration.
+macro_rules! field {
+    ($(#[doc = $meaning:literal])+ $field:ident: $kind:ty $([$($range:tt)+])?) => {
+        crate::kind::Field {
+            name: stringify!($field),
+            kind: <$kind as crate::row::Row>::KIND,
+            meaning: concat!($($meaning),+ $(, " ", stringify!($($range)+), ".")?).trim_ascii(),
+            range: crate::record::range!($($($range)+)?),
+        }
+    };
+}
+
+/// The range of a field: `above 0`, `from 0 to 1`, `1 or more`, or none at all.
+macro_rules! range {
+    () => {
+        None
+    };
+    (above $least:literal) => {
+        Some(crate::kind::Range {
+            words: stringify!(above $least),
+            ends: [std::ops::Bound::Excluded($least), std::ops::Bound::Unbounded],
+        })
+    };
+    (from $least:literal to $most:literal) => {
+        Some(crate::kind::Range {
+            words: stringify!(from $least to $most),
+            ends: [std::ops::Bound::Included($least), std::ops::Bound::Included($most)],
+        })
+    };
+    ($least:literal or more) => {
+        Some(crate::kind::Range {
+            words: stringify!($least or more),
+            ends: [std::ops::Bound::Included($least), std::ops::Bound::Unbounded],
+        })
     };
 }
 
 /// Makes a row of a struct that there is: its fields in order, each with a comment.
 macro_rules! row_of {
-    ($name:ident { $($(#[doc = $meaning:literal])+ $field:ident: $kind:ty),+ $(,)? }) => {
+    ($name:ident { $($(#[doc = $meaning:literal])+ $field:ident: $kind:ty $([$($range:tt)+])?),+ $(,)? }) => {
         impl crate::row::Row for $name {
             const KIND: &'static crate::kind::Kind =
                 &crate::kind::Kind::Record(&crate::kind::Record {
                     name: stringify!($name),
-                    fields: &[$(crate::kind::Field {
-                        name: stringify!($field),
-                        kind: <$kind as crate::row::Row>::KIND,
-                        meaning: concat!($($meaning),+).trim_ascii(),
-                    }),+],
+                    fields: &[$(crate::record::field!(
+                        $(#[doc = $meaning])+ $field: $kind $([$($range)+])?
+                    )),+],
                 });
 
             fn put(&self, numbers: &mut Vec<f64>) {
@@ -105,4 +147,4 @@ row_of!(Ray {
     direction: Dir3,
 });
 
-pub(crate) use {choice_of, row, row_of};
+pub(crate) use {choice_of, field, range, row, row_of};

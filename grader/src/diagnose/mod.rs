@@ -18,6 +18,7 @@ mod number;
 mod pairs;
 mod panics;
 mod regime;
+mod rest;
 mod scalars;
 pub(crate) mod search;
 pub(crate) mod slips;
@@ -145,6 +146,12 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole() && !is_one) {
         return found.told();
     }
+    let first = whole
+        .as_ref()
+        .filter(|one| one.then.is_none() && complete.is_none());
+    if let Some(found) = first.and_then(|first| rest::explained(evidence, &readings, first)) {
+        return Some(found.told(evidence));
+    }
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
     let likely = spread::search(evidence, &readings);
     let seen = flaws::search(evidence);
@@ -153,53 +160,14 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found.diagnosis.clone());
     }
     if let Some(found) = seen.as_ref().filter(|found| found.certain) {
-        // What is there to see, and what may have made it.
-        if slip.is_none() && evidence.examiner.limits().effort <= 1 {
-            let parts = of_parts(evidence, &readings);
-            if !parts.is_empty() && parts.iter().all(|one| one.certain) {
-                return in_parts(parts);
-            }
-        }
-        let mut found = found.clone();
-        let complete = complete.filter(|one| one.then.is_none() && one.score.tells >= TELLS);
-        let nearly = search::nearly(evidence);
-        if let Some(cause) = complete.or(nearly.as_ref()) {
-            let mut told = cause.told(evidence);
-            told.also
-                .extend(Some(found).filter(|one| one.name != told.name));
-            return Some(told);
-        }
-        let nearly = whole
-            .as_ref()
-            .filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
-        // A slip that explains all comes before what explains nearly all.
-        let explains_all = |one: &Diagnosis| one.explained == evidence.wrong;
-        let is_less = slip.as_ref().is_some_and(explains_all);
-        let nearly = nearly.filter(|one| one.is_own() || !is_less);
-        let nearly = nearly.map(|one| one.told(evidence));
-        let is_good =
-            nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
-        let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
-        let mut made = nearly.into_iter().chain(slip).chain(likely);
-        let cause = made.find(|one| one.name != found.name);
-        // Who knows what to look for is helped more than who knows what is wrong.
-        return match cause {
-            Some(mut cause) if is_good => {
-                cause.also.push(found);
-                Some(cause)
-            }
-            None if evidence.is_judged() => {
-                let Some(mut cause) = where_it_is(evidence, &readings) else {
-                    return Some(found);
-                };
-                cause.also.push(found);
-                Some(cause)
-            }
-            cause => {
-                found.also.extend(cause);
-                Some(found)
-            }
-        };
+        return with_cause(
+            evidence,
+            &readings,
+            found.clone(),
+            whole.as_ref(),
+            slip,
+            likely,
+        );
     }
     let (near, likely) = match likely {
         Some(one) if one.is_near && one.is_cause => (Some(one.diagnosis), None),
@@ -217,7 +185,10 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     }
     let told: usize = parts.iter().map(|one| one.explained).sum();
     let tells = told as f64 >= SOME * evidence.wrong as f64;
+    // What explains the parts that it is told of says more than what is seen in a few answers.
+    let are_complete = parts.iter().all(|one| one.explained == one.wrong);
     let parts = in_parts(parts).filter(|_| tells);
+    let complete_parts = parts.clone().filter(|_| are_complete);
     parts
         .clone()
         .filter(|_| are_certain)
@@ -226,6 +197,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or_else(|| whole.map(|found| with_rest(evidence, &readings, &found)))
         .or(slip)
         .or(near)
+        .or(complete_parts)
         .or(seen)
         .or(likely)
         .or(parts)
@@ -233,6 +205,62 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or_else(|| partly(evidence, &readings))
         .or_else(|| in_cases(evidence, &readings))
         .or_else(|| flaws::of_some(evidence))
+}
+
+/// What is there to see in the answers, and what may have made it.
+fn with_cause(
+    evidence: &Evidence<'_>,
+    readings: &[Misreading],
+    mut found: Diagnosis,
+    whole: Option<&Found>,
+    slip: Option<Diagnosis>,
+    likely: Option<spread::Likely>,
+) -> Option<Diagnosis> {
+    let complete = whole.filter(|found| found.is_complete());
+    if slip.is_none() && evidence.examiner.limits().effort <= 1 {
+        let parts = of_parts(evidence, readings);
+        if !parts.is_empty() && parts.iter().all(|one| one.certain) {
+            return in_parts(parts);
+        }
+    }
+    let complete = complete.filter(|one| one.then.is_none() && one.score.tells >= TELLS);
+    let nearly = search::nearly(evidence);
+    if let Some(cause) = complete.or(nearly.as_ref()) {
+        let mut told = cause.told(evidence);
+        told.also
+            .extend(Some(found).filter(|one| one.name != told.name));
+        return Some(told);
+    }
+    let nearly =
+        whole.filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
+    // A slip that explains all comes before what explains nearly all.
+    let explains_all = |one: &Diagnosis| one.explained == evidence.wrong;
+    let is_less = slip.as_ref().is_some_and(explains_all);
+    let nearly = nearly.filter(|one| one.is_own() || !is_less);
+    let nearly = nearly.map(|one| one.told(evidence));
+    let is_good =
+        nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
+    let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
+    let mut made = nearly.into_iter().chain(slip).chain(likely);
+    let cause = made.find(|one| one.name != found.name);
+    // Who knows what to look for is helped more than who knows what is wrong.
+    match cause {
+        Some(mut cause) if is_good => {
+            cause.also.push(found);
+            Some(cause)
+        }
+        None if evidence.is_judged() => {
+            let Some(mut cause) = where_it_is(evidence, readings) else {
+                return Some(found);
+            };
+            cause.also.push(found);
+            Some(cause)
+        }
+        cause => {
+            found.also.extend(cause);
+            Some(found)
+        }
+    }
 }
 
 /// What explains most of the wrong answers, and what explains the rest of them.

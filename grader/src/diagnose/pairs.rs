@@ -1,7 +1,7 @@
 //! Explanations by two mistakes, one after the other or beside each other.
 
 use super::MOST;
-use super::evidence::{Evidence, Scope};
+use super::evidence::{Evidence, Item, Scope};
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
@@ -30,7 +30,8 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
         return;
     }
     let mut slips = slipped(evidence);
-    slips.sort_by_key(|slip| slip.rank);
+    // Of decisions and loops there are few.
+    slips.sort_by_key(|slip| (slip.is_of_a_value(), slip.rank));
     let Some(first) = slips.first() else { return };
     let few = [0, evidence.wrong / 2, evidence.wrong - 1];
     let lengths = few.map(|k| first.length(&evidence.items[k].question));
@@ -51,11 +52,10 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
             let answers: Answers = (0..evidence.items.len())
                 .map(|k| of_both(one, other, k))
                 .collect();
-            let score = evidence.score(1.0, |k| answers[k].clone());
-            let Some(score) = score.filter(|score| score.missed + score.contradicted == 0) else {
+            let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
                 continue;
             };
-            found.push(Found {
+            let pair = Found {
                 name: other.name.clone(),
                 hint: other.hint.clone(),
                 then: Some((one.name.clone(), one.hint.clone())),
@@ -64,16 +64,20 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 fitted: 0,
                 score,
                 answers,
-            });
+            };
+            // In a few cases another way around a division by 0 decides.
+            if score.contradicted == 0 && pair.is_nearly_complete() {
+                found.push(pair);
+            }
         }
     }
 }
 
 /// What two mistakes make of a right answer together.
-type Together = fn(right: f64, one: f64, other: f64) -> f64;
+pub type Together = fn(right: f64, one: f64, other: f64) -> f64;
 
 /// Each changes a summand of its own, or a factor of its own.
-const TOGETHER: [Together; 2] = [
+pub const TOGETHER: [Together; 2] = [
     |right, one, other| one + other - right,
     |right, one, other| {
         if right == 0.0 {
@@ -85,7 +89,7 @@ const TOGETHER: [Together; 2] = [
 ];
 
 /// The answer of two mistakes that do not meddle with each other: where one does not show, it is the other's.
-fn of_two(right: &[f64], one: &[f64], other: &[f64], together: Together) -> Option<Vec<f64>> {
+pub fn of_two(right: &[f64], one: &[f64], other: &[f64], together: Together) -> Option<Vec<f64>> {
     if one == right {
         return Some(other.to_vec());
     }
@@ -122,7 +126,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     for (i, one) in few.iter().enumerate() {
         for (j, other) in few[..i].iter().enumerate() {
             for together in TOGETHER {
-                let promises = probe.score(0.99, |k| made(&probe, one, other, together, k));
+                let promises = probe.score(MOST, |k| made(&probe, one, other, together, k));
                 if promises.is_none() {
                     continue;
                 }
@@ -148,6 +152,16 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
             }
         }
     }
+}
+
+/// What is answered to an item's question, in the order in which answers are compared.
+fn in_form(
+    evidence: &Evidence<'_>,
+    item: &Item,
+    answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+) -> Option<Vec<f64>> {
+    let answer = answer(&item.question)?;
+    Some(evidence.canonical(&item.question, &answer))
 }
 
 /// Explanations by two mistakes, one after the other: what is made of the answer of another mistake, or of a question misread.
@@ -190,7 +204,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
         let few: Answers = probe
             .items
             .iter()
-            .map(|item| answer(&item.question))
+            .map(|item| in_form(&probe, item, answer))
             .collect();
         let changed = few
             .iter()
@@ -207,7 +221,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
             let all: Answers = evidence
                 .items
                 .iter()
-                .map(|item| answer(&item.question))
+                .map(|item| in_form(evidence, item, answer))
                 .collect();
             // The number that fits is that of all wrong answers.
             let again = fit::explanations(evidence, &all, false);

@@ -4,7 +4,7 @@ use super::component;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
-use super::misread::{Misreading, times};
+use super::misread::{Misreading, bounded, times};
 use super::pairs::{both, composed, pairs};
 use super::regime::{self, Regime};
 use super::slips::{Slipped, fitted, goes_a_known_way, slipped};
@@ -155,15 +155,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     }
     for reading in readings {
         let answer = |k: usize| misread(evidence, reading, k);
-        let (name, hint) = (reading.name.clone(), reading.hint.clone());
-        let one = Explanation {
-            name,
-            hint,
-            rank: reading.rank,
-            fitted: 0,
-            answers: Vec::new(),
-        };
-        consider(evidence, share, one, &answer, found);
+        by_reading(evidence, share, reading, &answer, found);
     }
     if evidence.is_judged() && !found.iter().any(Found::is_complete) {
         by_slips(evidence, share, slipped(evidence), found);
@@ -174,26 +166,44 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
             consider(evidence, share, one, &|k| answers[k].clone(), found);
         }
     }
-    let is_fit = evidence.is_judged() && evidence.scope == Scope::Whole && evidence.tells_much();
-    if is_fit && share >= MOST && !found.iter().any(Found::is_complete) {
+    let is_whole = evidence.is_judged() && evidence.scope == Scope::Whole && share >= MOST;
+    let is_quick = evidence.examiner.limits().effort <= 1;
+    if is_whole && is_quick && !found.iter().any(Found::is_complete) {
+        for reading in bounded(evidence.examiner.asked().question) {
+            let answer = |k: usize| misread(evidence, &reading, k);
+            by_reading(evidence, share, &reading, &answer, found);
+        }
+    }
+    let is_fit = is_whole && evidence.tells_much();
+    if is_fit && !found.iter().any(Found::is_complete) {
         for reading in times(evidence.examiner.asked().question) {
             let answer = |by: f64, k: usize| misread(evidence, &reading(by), k);
             let Some(by) = fit::factor::factor(evidence, &answer) else {
                 continue;
             };
-            let (reading, rank) = (reading(by), reading(by).rank);
-            let one = Explanation {
-                name: reading.name.clone(),
-                hint: reading.hint.clone(),
-                rank,
-                fitted: 0,
-                answers: Vec::new(),
-            };
             let answer = |k: usize| answer(by, k);
-            consider(evidence, share, one, &answer, found);
+            by_reading(evidence, share, &reading(by), &answer, found);
         }
         by_slips(evidence, share, fitted(evidence), found);
     }
+}
+
+/// The explanation by a question that was misread, and by what is answered to it.
+fn by_reading(
+    evidence: &Evidence<'_>,
+    share: f64,
+    reading: &Misreading,
+    answer: &dyn Fn(usize) -> Option<Vec<f64>>,
+    found: &mut Vec<Found>,
+) {
+    let one = Explanation {
+        name: reading.name.clone(),
+        hint: reading.hint.clone(),
+        rank: reading.rank,
+        fitted: 0,
+        answers: Vec::new(),
+    };
+    consider(evidence, share, one, answer, found);
 }
 
 /// All explanations by a step that goes wrong.

@@ -106,6 +106,7 @@ fn field(table: &Fields<'_>) -> Result<Field, TextError> {
         name,
         kind: Box::leak(Box::new(kind)),
         meaning,
+        range: None,
     })
 }
 

@@ -16,6 +16,7 @@ use rayon::prelude::*;
 use std::convert::Infallible;
 use std::fmt::Write;
 use std::sync::atomic::{AtomicUsize, Ordering};
+use std::sync::{LazyLock, Mutex, MutexGuard};
 
 /// The exercises whose answers are judged together.
 const EXERCISES: [&str; 8] = [
@@ -28,6 +29,26 @@ const EXERCISES: [&str; 8] = [
     "poisson_disk",
     "reflected_radiance",
 ];
+
+/// Number of students who are asked each exercise; of the alternatives, which are right, a part.
+const STUDENTS: usize = 20;
+const STUDENTS_OF_ALTERNATIVES: usize = 10;
+
+/// The students of each of these exercises: what the reference answers them is known once for all tests.
+static ASKED: LazyLock<Vec<Vec<Mutex<Student>>>> = LazyLock::new(|| {
+    let student = |of: usize| {
+        let examiner = cases::find(EXERCISES[of / STUDENTS]).expect("an exercise");
+        Mutex::new(Student::new(examiner, of % STUDENTS))
+    };
+    let all = (0..EXERCISES.len() * STUDENTS).into_par_iter().map(student);
+    let mut all: Vec<_> = all.collect();
+    let of_exercise = EXERCISES.iter().map(|_| all.drain(..STUDENTS).collect());
+    of_exercise.collect()
+});
+
+fn locked(student: &Mutex<Student>) -> MutexGuard<'_, Student> {
+    student.lock().expect("no test failed with it")
+}
 
 /// A student who is asked an exercise: the questions, each with the golden answer.
 struct Student {
@@ -93,15 +114,16 @@ impl Student {
 
 #[test]
 fn programs_that_are_right_by_another_method_are_right_together() {
-    for exercise in EXERCISES {
-        let examiner = cases::find(exercise).expect("an exercise");
-        let kinds = examiner.asked();
+    for (exercise, students) in EXERCISES.iter().zip(&*ASKED) {
+        let exercise = *exercise;
+        let kinds = cases::find(exercise).expect("an exercise").asked();
         let others: Vec<&Alternative> = alternatives()
             .filter(|other| other.exercise == exercise)
             .collect();
         let (asked, programs) = (AtomicUsize::new(0), AtomicUsize::new(0));
-        (0..10).into_par_iter().for_each(|student| {
-            let mut student = Student::new(examiner, student);
+        let students = &students[..STUDENTS_OF_ALTERNATIVES];
+        students.par_iter().for_each(|student| {
+            let mut student = locked(student);
             let (golden, _) = student.together(|row| row.1.clone());
             assert_eq!(golden, Ok(()), "{exercise}, the reference");
             for other in &others {
@@ -125,14 +147,13 @@ fn programs_that_are_right_by_another_method_are_right_together() {
 
 #[test]
 fn small_biases_are_found_as_often_as_the_table_says() {
-    const STUDENTS: usize = 20;
     let mut table = format!("{:<20} {:<46} found\n", "exercise", "fault");
-    for exercise in EXERCISES {
-        let examiner = cases::find(exercise).expect("an exercise");
+    for (exercise, students) in EXERCISES.iter().zip(&*ASKED) {
+        let exercise = *exercise;
         let of_exercise = BIASES.iter().find(|(name, _)| *name == exercise);
         let biases = of_exercise.map_or(&[][..], |(_, biases)| biases);
-        let found = (0..STUDENTS).into_par_iter().map(|student| {
-            let mut student = Student::new(examiner, student);
+        let found = students.par_iter().map(|student| {
+            let mut student = locked(student);
             let is_found = |(_, change): &Bias| {
                 let wrong = |(question, golden): &Row| {
                     let [count, points @ ..] = &golden[..] else {

@@ -1,7 +1,8 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
 use super::function::diagnosed;
-use raybook_grader::diagnose::Diagnosis;
+use raybook_grader::cases;
+use raybook_grader::diagnose::{Beside, Diagnosis};
 
 fn names(found: &Diagnosis) -> Vec<&str> {
     let also = found.also.iter().map(|also| also.name.as_str());
@@ -75,4 +76,31 @@ fn a_mistake_in_each_of_two_parts_is_told_in_its_part() {
         (Some("direction"), "draws the picture mirrored"),
     ];
     assert_eq!(told, both);
+}
+
+/// Both mistakes, which only together explain all answers.
+fn together(found: &Diagnosis) -> [&str; 2] {
+    let then = found.also.first().expect("a second mistake");
+    assert_eq!(then.beside, Beside::Together, "{found:?}");
+    [&found.name, &then.name]
+}
+
+#[test]
+fn who_counts_from_1_and_forgets_the_limit_is_told_both_though_the_second_shows_in_one_case() {
+    let asked = cases::find("refine_cell").expect("an exercise");
+    let forgets = |(name, _): &(&str, &str)| name.contains("255");
+    let forgets = asked.mistakes().iter().position(forgets);
+    let forgets = forgets.expect("it is on the list");
+    let found = diagnosed("refine_cell", |q| {
+        let mut answer = asked.mistake_answers(forgets, q)?;
+        answer[4..]
+            .iter_mut()
+            .skip(3)
+            .step_by(4)
+            .for_each(|shape| *shape += 1.0);
+        Some(answer)
+    });
+    let [first, second] = together(&found);
+    assert_eq!(first, "counts shape from 1 instead of 0: one too much");
+    assert!(second.contains("255"), "{second}");
 }

@@ -36,8 +36,8 @@ exercises! { ($) ch01_rays
         right: Dir3,
         /// Upwards along the columns of the picture.
         up: Dir3,
-        /// The distance from the focal point to the image plane, in metres, above 0.
-        focal_length: f32,
+        /// The distance from the focal point to the image plane, in metres,
+        focal_length: f32 [above 0],
         /// The width and the height of the image plane, in metres.
         plane: Vec2,
         /// The place on the film, in [0, 1]² from the top left, without a unit.

@@ -34,8 +34,8 @@ exercises! { ($) ch02_hdr
         /// The linear value, without a unit; a display shows values from 0 to 1.
         v: f32,
     ) -> (
-        /// The code value, from 0 to 1.
-        code: f32,
+        /// The code value,
+        code: f32 [from 0 to 1],
     ) {
         tone::encode_srgb(v)
     }

@@ -33,8 +33,8 @@ exercises! { ($) ch03_sphere
         within: Interval,
         /// The sphere's centre, in metres.
         center: Vec3,
-        /// The sphere's radius, in metres, above 0.
-        radius: f32,
+        /// The sphere's radius, in metres,
+        radius: f32 [above 0],
     ) -> (
         /// The distance along the ray, in metres; none for a miss.
         t: Option<f32>,
@@ -48,8 +48,8 @@ exercises! { ($) ch03_sphere
     SphereNormal: sphere_normal(
         /// The sphere's centre, in metres.
         center: Vec3,
-        /// The sphere's radius, in metres, above 0.
-        radius: f32,
+        /// The sphere's radius, in metres,
+        radius: f32 [above 0],
         /// A point on the sphere's surface, in metres.
         p: Vec3,
     ) -> (

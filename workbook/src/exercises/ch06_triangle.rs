@@ -59,9 +59,9 @@ row! {
     pub struct TriangleHitAnswer {
         /// The distance along the ray, in metres.
         pub t: f32,
-        /// The weight of the second corner, from 0 to 1.
-        pub b1: f32,
-        /// The weight of the third corner, from 0 to 1.
-        pub b2: f32,
+        /// The weight of the second corner,
+        pub b1: f32 [from 0 to 1],
+        /// The weight of the third corner,
+        pub b2: f32 [from 0 to 1],
     }
 }

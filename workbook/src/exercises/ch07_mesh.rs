@@ -17,8 +17,8 @@ exercises! { ($) ch07_mesh
         n1: Dir3,
         /// The normal at the third corner.
         n2: Dir3,
-        /// The weights (b1, b2) of the second and third corner, from 0 to 1.
-        b: Vec2,
+        /// The weights (b1, b2) of the second and third corner,
+        b: Vec2 [from 0 to 1],
     ) -> (
         /// The normal in between, of length 1.
         normal: Vec3,
@@ -35,8 +35,8 @@ exercises! { ($) ch07_mesh
         t1: Vec2,
         /// The texture coordinates at the third corner, without a unit.
         t2: Vec2,
-        /// The weights (b1, b2) of the second and third corner, from 0 to 1.
-        b: Vec2,
+        /// The weights (b1, b2) of the second and third corner,
+        b: Vec2 [from 0 to 1],
     ) -> (
         /// The texture coordinates in between, without a unit.
         texture: Vec2,

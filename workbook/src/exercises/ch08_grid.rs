@@ -16,8 +16,8 @@ exercises! { ($) ch08_grid
         extents: Vec3,
         /// The number of shapes in it.
         shapes: u32,
-        /// The number of cells per shape, above 0.
-        density: f32,
+        /// The number of cells per shape,
+        density: f32 [above 0],
     ) -> (
         /// The number of cells along each axis, 1 or more.
         cells: Cell,

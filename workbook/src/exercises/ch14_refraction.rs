@@ -29,8 +29,8 @@ exercises! { ($) ch14_refraction
     /// Return the fractions Rs, Rp and R of s-polarised, p-polarised and unpolarised light that a surface reflects,
     /// from the cosine of the angle at which the light arrives through n1, and the index n2 behind the surface.
     Fresnel: fresnel(
-        /// cos θ₁, from 0 to 1: of the angle between the light and the normal, on the side from which the light comes.
-        cos1: f32,
+        /// cos θ₁ of the angle between the light and the normal, on the side from which the light comes,
+        cos1: f32 [from 0 to 1],
         /// The index of refraction on that side, without a unit.
         n1: f32,
         /// The index of refraction on the other side, without a unit.
@@ -51,11 +51,11 @@ exercises! { ($) ch14_refraction
 row! {
     /// The shares of the light that are reflected.
     pub struct FresnelAnswer {
-        /// The share of s-polarised light, from 0 to 1.
-        pub rs: f32,
-        /// The share of p-polarised light, from 0 to 1.
-        pub rp: f32,
-        /// The share of unpolarised light, from 0 to 1.
-        pub r: f32,
+        /// The share of s-polarised light,
+        pub rs: f32 [from 0 to 1],
+        /// The share of p-polarised light,
+        pub rp: f32 [from 0 to 1],
+        /// The share of unpolarised light,
+        pub r: f32 [from 0 to 1],
     }
 }

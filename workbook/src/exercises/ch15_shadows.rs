@@ -97,7 +97,7 @@ row! {
     pub struct Ball {
         /// The centre, in metres.
         pub center: Vec3,
-        /// The radius, in metres, above 0.
-        pub radius: f32,
+        /// The radius, in metres,
+        pub radius: f32 [above 0],
     }
 }

@@ -48,8 +48,8 @@ exercises! { ($) ch16_soft_shadows
         at: Vec3,
         /// The light's centre, in metres.
         center: Vec3,
-        /// The light's radius, in metres, above 0.
-        radius: f32,
+        /// The light's radius, in metres,
+        radius: f32 [above 0],
         /// The light's radiance, outwards and inwards, in W·m⁻²·sr⁻¹.
         radiance: f32,
         /// The number of points along each side of the lattice.
@@ -79,11 +79,11 @@ exercises! { ($) ch16_soft_shadows
         points: Vec<Vec3>,
         /// The balls that may be in the way.
         balls: Vec<Ball>,
-        /// The number of samples for each point, 1 or more.
-        samples: u32,
+        /// The number of samples for each point,
+        samples: u32 [1 or more],
     ) -> (
-        /// The fraction of the light's area that is seen from each point, from 0 to 1, in their order.
-        fraction: Vec<f32>,
+        /// In the order of the points, the fraction of the light's area that is seen from there,
+        fraction: Vec<f32> [from 0 to 1],
     ) |q| {
         let (light, scene) = (q.light(), q.scene());
         let points = q.points.iter().zip(0..);
@@ -132,8 +132,8 @@ row! {
     pub struct Ball {
         /// The centre, in metres.
         pub center: Vec3,
-        /// The radius, in metres, above 0.
-        pub radius: f32,
+        /// The radius, in metres,
+        pub radius: f32 [above 0],
     }
 }
 

@@ -37,10 +37,10 @@ exercises! { ($) ch17_rendering_equation
         view: Dir3,
         /// From the surface to the light.
         toward: Dir3,
-        /// The albedo of the matte part, from 0 to 1.
-        diffuse: Rgb,
-        /// The albedo of the highlight, from 0 to 1.
-        specular: Rgb,
+        /// The albedo of the matte part,
+        diffuse: Rgb [from 0 to 1],
+        /// The albedo of the highlight,
+        specular: Rgb [from 0 to 1],
         /// n: the highlight's exponent, without a unit.
         exponent: f32,
     ) -> (
@@ -63,18 +63,18 @@ exercises! { ($) ch17_rendering_equation
         normal: Dir3,
         /// The direction to the viewer, which is above the surface.
         view: Dir3,
-        /// The albedo of the matte part, from 0 to 1.
-        diffuse: Rgb,
-        /// The albedo of the highlight, from 0 to 1.
-        specular: Rgb,
+        /// The albedo of the matte part,
+        diffuse: Rgb [from 0 to 1],
+        /// The albedo of the highlight,
+        specular: Rgb [from 0 to 1],
         /// The highlight's exponent, without a unit.
         exponent: f32,
         /// Where the sky is brightest; it does not turn with the surface.
         zenith: Dir3,
         /// The sky's radiance at the zenith, in W·m⁻²·sr⁻¹.
         radiance: Rgb,
-        /// The number of samples, 1 or more.
-        samples: u32,
+        /// The number of samples,
+        samples: u32 [1 or more],
     ) -> (
         /// An estimate of the radiance to the viewer, in W·m⁻²·sr⁻¹.
         radiance: Rgb,

@@ -18,8 +18,8 @@ exercises! { ($) ch19_depth_of_field
     ConcentricDisk: concentric_disk(
         /// The number of points of the unit square.
         n: u32,
-        /// By how much all points are moved, from −1 to 1; a point that leaves the square comes in on the other side.
-        shift: Vec2,
+        /// By how much all points are moved (one that leaves the square comes in on the other side),
+        shift: Vec2 [from -1 to 1],
     ) -> (
         /// The n points of the unit disc, in the order of the points u.
         point: Vec<Vec2>,

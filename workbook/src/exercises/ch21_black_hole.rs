@@ -34,8 +34,8 @@ exercises! { ($) ch21_black_hole
     /// Return the angle, in radians, by which a black hole of radius 1 turns a ray that comes from far away with this
     /// impact parameter, to 1 part in 1000. There is no answer if the ray falls in.
     DeflectionAngle: deflection_angle(
-        /// b: how far from the hole's middle the ray would pass if it were straight, in radii of the hole, above 0.
-        impact_parameter: f32,
+        /// b: how far from the hole's middle the ray would pass if it were straight, in radii of the hole,
+        impact_parameter: f32 [above 0],
     ) -> (
         /// The angle by which the ray is turned, in radians; none if it falls in.
         angle: Option<f32>,

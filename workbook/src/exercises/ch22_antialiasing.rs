@@ -97,8 +97,8 @@ exercises! { ($) ch22_antialiasing
     /// Σ w L/Σ w, or black if the weights sum up to 0. The filter is a tent: w = (1 − |x|/radius) · (1 − |y|/radius),
     /// and 0 where either factor would be negative.
     PixelAverage: pixel_average(
-        /// The tent filter's radius, in pixels, above 0.
-        radius: f32,
+        /// The tent filter's radius, in pixels,
+        radius: f32 [above 0],
         /// The samples.
         samples: Vec<Seen>,
     ) -> (

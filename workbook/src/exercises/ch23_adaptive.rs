@@ -31,8 +31,8 @@ exercises! { ($) ch23_adaptive
     SpendBudget: spend_budget(
         /// σ: the standard deviation of each pixel's samples, in any unit.
         deviations: Vec<f32>,
-        /// The minimum number of samples for each pixel, 1 or more.
-        least: u32,
+        /// The minimum number of samples for each pixel,
+        least: u32 [1 or more],
         /// The number of samples for all pixels together, at least enough for the minimum.
         budget: u32,
     ) -> (

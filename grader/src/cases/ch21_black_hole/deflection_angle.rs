@@ -42,8 +42,8 @@ impl Graded for DeflectionAngle {
 
     const FLAWS: &'static [Flaw] = &[Flaw {
         complaint: COARSE,
-        name: "follows the ray in steps that are too long, or begins or ends too near to the hole",
-        hint: "Halve your steps: does the angle change by more than a part in a thousand? And if you begin twice as far away?",
+        name: "comes near to the angle, but not to a part in a thousand",
+        hint: "Is your formula an approximation? If not, halve your steps: does the angle change by more than a part in a thousand? And if you begin twice as far away?",
     }];
 
     const MISTAKES: &'static [Mistake<Self>] = &[

@@ -34,7 +34,7 @@ impl Evidence<'_> {
     }
 
     /// An answer whose lists are in one order, if their order is free.
-    pub(super) fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {
+    pub fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {
         let mut answer = self.examiner.canonical(question, answer);
         if !self.free {
             return answer;

@@ -1,9 +1,11 @@
 //! Questions that were misread in a way that any question can be: two fields exchanged, a sign turned, a field ignored. The right
 //! answer to the misread question is what many a mistake comes down to.
 
+mod bounded;
 mod ways;
 
 use crate::layout::{Layout, Part, layout, parts};
+pub use bounded::bounded;
 use raybook_workbook::kind::Kind;
 use ways::{of_axes, of_list, of_pair, of_part};
 

@@ -85,9 +85,10 @@ impl Slipped {
         attempt(|| (self.explainer.work)(self.way, question, &mut way))
     }
 
-    /// Whether other slips have the same answers: what is compared shows only in what is decided.
+    /// Whether other slips have the same answers: what is compared shows only in what is decided, and a threshold of another size decides
+    /// the same.
     pub fn is_doubtful(&self) -> bool {
-        matches!(self.slip, Slip::Sides(..))
+        matches!(self.slip, Slip::Sides(..) | Slip::Near(..))
     }
 
     /// What is answered if the changed value is a little larger still; none of another slip, and of a common one. Where that is the same, as
@@ -102,6 +103,14 @@ impl Slipped {
         let larger = Slip::Value(at, Change::Each(|v| 1.02 * v));
         let mut way = Way::with_both([self.slip, larger]).no_longer_than(self.most);
         attempt(|| (self.explainer.work)(self.way, question, &mut way))
+    }
+
+    /// Whether a value is wrong, and not a decision or a loop.
+    pub fn is_of_a_value(&self) -> bool {
+        matches!(
+            self.slip,
+            Slip::Value(..) | Slip::Other { .. } | Slip::Mix { .. } | Slip::Bracket(..)
+        )
     }
 
     /// Whether another slip can be made on the same way too.

@@ -114,6 +114,21 @@ pub(super) fn vector(
             Box::new(|v| each(v, |v| *v = 1.0 - *v)),
         );
     }
+    if !unit && axes.len() == 2 {
+        const DEVICE: &str = "From where to where does each component of `{}` go: from −1 to 1, or from 0 to 1? And where is its origin?";
+        value(
+            format!("takes {name} as from −1 to 1 in both directions, and y upwards"),
+            12,
+            DEVICE,
+            Box::new(|v| (v[0], v[1]) = (0.5 + 0.5 * v[0], 0.5 - 0.5 * v[1])),
+        );
+        value(
+            format!("takes {name} as from −1 to 1 in both directions"),
+            12,
+            DEVICE,
+            Box::new(|v| each(v, |v| *v = 0.5 + 0.5 * *v)),
+        );
+    }
     for (axis, k) in axes.iter().zip(0..) {
         value(
             format!("has the sign of {name}.{axis} wrong"),

@@ -1,0 +1,186 @@
+//! The rest: of two mistakes in one function the first explains most of the wrong answers, and both together explain the others.
+
+use super::MOST;
+use super::evidence::Evidence;
+use super::fit::{self, Answers};
+use super::found::Found;
+use super::misread::Misreading;
+use super::pairs::{TOGETHER, of_two};
+use super::search::{golden, misread};
+use super::slips::{Slipped, fitted, slipped};
+use crate::attempt::attempt;
+
+/// The rank of a second mistake: what is told of both is never certain.
+const RANK: u32 = 44;
+
+/// Of several slips that are the first mistake, these are tried with others.
+const SLIPS: usize = 3;
+
+/// A mistake that may have been made besides the first, with its answers, one for each item.
+struct Other {
+    name: String,
+    hint: String,
+    rank: u32,
+    answers: Answers,
+}
+
+/// The first mistake and a second one, which explain all answers together; none if the first explains less than half of the wrong ones.
+pub fn explained(evidence: &Evidence<'_>, readings: &[Misreading], first: &Found) -> Option<Found> {
+    let is_left = |k: &usize| {
+        let answer = first.answers[*k].as_ref();
+        !answer.is_some_and(|answer| evidence.explains(*k, answer))
+    };
+    let rest: Vec<_> = (0..evidence.wrong).filter(is_left).collect();
+    if rest.is_empty() || 2 * rest.len() > evidence.wrong {
+        return None;
+    }
+    let mut found = beside(evidence, readings, first, &rest);
+    if found.is_empty() && evidence.is_judged() {
+        found = on_one_way(evidence, first, &rest);
+    }
+    found.into_iter().min_by_key(Found::key)
+}
+
+/// Both together, if they explain all.
+fn both(evidence: &Evidence<'_>, first: &Found, other: Other, rest: &[usize]) -> Option<Found> {
+    let explains = |k: &usize| {
+        let answer = other.answers[*k].as_ref();
+        answer.is_some_and(|answer| evidence.explains(*k, answer))
+    };
+    if !rest.iter().all(explains) {
+        return None;
+    }
+    let score = evidence.score(MOST, |k| other.answers[k].clone())?;
+    let found = Found {
+        name: first.name.clone(),
+        hint: first.hint.clone(),
+        then: Some((other.name, other.hint)),
+        rival: None,
+        rank: RANK + other.rank,
+        fitted: first.fitted,
+        score,
+        answers: other.answers,
+    };
+    found.is_complete().then_some(found)
+}
+
+/// The first mistake with one of the exercise's own, or with a question that was misread: each changes a summand, a factor or a branch of its
+/// own, or the first is made of what the other answers.
+fn beside(
+    evidence: &Evidence<'_>,
+    readings: &[Misreading],
+    first: &Found,
+    rest: &[usize],
+) -> Vec<Found> {
+    let items = &evidence.items;
+    let right = golden(evidence);
+    let is_made = |one: &fit::Explanation| one.name == first.name;
+    let is_fit = || {
+        fit::explanations(evidence, &right, false)
+            .iter()
+            .any(is_made)
+    };
+    let is_fit = !first.is_own() && is_fit();
+    let mut found = Vec::new();
+    for other in others(evidence, readings, rest) {
+        let mut made: Vec<Answers> = Vec::new();
+        for together in TOGETHER {
+            let of_item = |k: usize| {
+                let (one, other) = (first.answers[k].as_ref()?, other.answers[k].as_ref()?);
+                of_two(items[k].golden(), one, other, together)
+            };
+            made.push((0..items.len()).map(of_item).collect());
+        }
+        if is_fit {
+            let again = fit::explanations(evidence, &other.answers, false);
+            made.extend(again.into_iter().filter(is_made).map(|one| one.answers));
+        }
+        let pairs = made.into_iter().filter_map(|answers| {
+            let (name, hint, rank) = (other.name.clone(), other.hint.clone(), other.rank);
+            let other = Other {
+                name,
+                hint,
+                rank,
+                answers,
+            };
+            both(evidence, first, other, rest)
+        });
+        found.extend(pairs);
+    }
+    found
+}
+
+/// The mistakes that show in all answers of the rest.
+fn others(evidence: &Evidence<'_>, readings: &[Misreading], rest: &[usize]) -> Vec<Other> {
+    let examiner = evidence.examiner;
+    let question = |k: usize| &*evidence.items[k].question;
+    let shows = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let differs = |k: &usize| answer(*k).is_some_and(|one| one != evidence.items[*k].golden());
+        rest.iter().all(differs)
+    };
+    let all = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        (0..evidence.items.len()).map(answer).collect()
+    };
+    let mut others = Vec::new();
+    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
+        let answer = |k: usize| {
+            let answer = attempt(|| examiner.mistake_answers(i, question(k)))??;
+            Some(evidence.canonical(question(k), &answer))
+        };
+        if shows(&answer) {
+            others.push(Other {
+                name: name.to_owned(),
+                hint: hint.to_owned(),
+                rank: 0,
+                answers: all(&answer),
+            });
+        }
+    }
+    for reading in readings {
+        let answer = |k: usize| {
+            let answer = misread(evidence, reading, k)?;
+            Some(evidence.canonical(question(k), &answer))
+        };
+        if shows(&answer) {
+            others.push(Other {
+                name: reading.name.clone(),
+                hint: reading.hint.clone(),
+                rank: reading.rank,
+                answers: all(&answer),
+            });
+        }
+    }
+    others
+}
+
+/// The first mistake and another slip on the way to an answer, where the first is a slip on this way.
+fn on_one_way(evidence: &Evidence<'_>, first: &Found, rest: &[usize]) -> Vec<Found> {
+    let mut slips = slipped(evidence);
+    slips.extend(fitted(evidence));
+    let explained: Vec<_> = (0..evidence.wrong).filter(|k| !rest.contains(k)).collect();
+    let is_first = |slip: &&Slipped| {
+        let agrees = |k: &usize| {
+            let answer = slip.answer_to(evidence, *k);
+            answer.is_some_and(|answer| evidence.explains(*k, &answer))
+        };
+        slip.name == first.name || explained.iter().all(agrees)
+    };
+    let mut found = Vec::new();
+    for one in slips.iter().filter(is_first).take(SLIPS) {
+        for other in slips.iter().filter(|other| one.goes_with(other)) {
+            let of_item = |k: usize| one.answer_with(other, &evidence.items[k].question);
+            let explains =
+                |k: &usize| of_item(*k).is_some_and(|answer| evidence.explains(*k, &answer));
+            if rest.iter().all(explains) {
+                let other = Other {
+                    name: other.name.clone(),
+                    hint: other.hint.clone(),
+                    rank: other.rank,
+                    answers: (0..evidence.items.len()).map(of_item).collect(),
+                };
+                found.extend(both(evidence, first, other, rest));
+            }
+        }
+    }
+    found
+}

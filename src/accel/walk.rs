@@ -21,22 +21,11 @@ pub fn walk(
     lattice: &Lattice,
     ray: &Ray,
     within: Interval,
-    visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
-) {
-    if let Some(enter) = RayBox::new(ray).enters(&lattice.bounds(), within) {
-        walk_inside(lattice, ray, Interval::new(enter, within.max), visit);
-    }
-}
-
-/// The same for a ray that is in the lattice's box where the interval begins, up to rounding.
-#[inline]
-pub(crate) fn walk_inside(
-    lattice: &Lattice,
-    ray: &Ray,
-    within: Interval,
     mut visit: impl FnMut(UVec3, Interval) -> ControlFlow<()>,
 ) {
-    let mut enter = within.min;
+    let Some(mut enter) = RayBox::new(ray).enters(&lattice.bounds(), within) else {
+        return;
+    };
     let mut cell = lattice.cell_at(ray.at(enter));
     let first = (lattice.min - ray.origin) / *ray.direction;
     let apart = lattice.cell / *ray.direction;

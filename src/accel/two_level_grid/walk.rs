@@ -1,10 +1,6 @@
 //! A walk through coarse cells, and through the fine cells of those that are not empty.
 
-use crate::accel::{
-    lattice::index,
-    two_level_grid::levels::Levels,
-    walk::{walk, walk_inside},
-};
+use crate::accel::{lattice::index, two_level_grid::levels::Levels, walk::walk};
 use crate::math::{interval::Interval, ray::Ray};
 use glam::UVec3;
 use std::ops::ControlFlow;
@@ -32,7 +28,7 @@ pub fn walk_two_levels(
         };
         let (begin, last) = (coarse * resolution, resolution - UVec3::ONE);
         let (mut so_far, mut before) = (ControlFlow::Continue(()), None);
-        walk_inside(&levels.cut(resolution), ray, inside, |cell, inside| {
+        walk(&levels.cut(resolution), ray, inside, |cell, inside| {
             let cell = cell.max(begin).min(begin + last) - begin;
             let place = first + index(cell, resolution);
             if before.replace(place) != Some(place) {

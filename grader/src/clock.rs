@@ -5,6 +5,8 @@
 
 use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
+pub(crate) use crate::stat::waited;
+#[cfg(target_os = "linux")]
 use crate::stat::{Stat, is_in_group, processes};
 use crate::suspend::now;
 use std::time::{Duration, Instant};
@@ -163,15 +165,7 @@ pub fn usage(_group: u32) -> Option<Usage> {
     None
 }
 
-/// How long this thread could have gone on since it began, and waited for a processor (`/proc/thread-self/schedstat`, in nanoseconds).
-#[cfg(target_os = "linux")]
-pub(crate) fn waited() -> Duration {
-    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
-    let waited = text.split_ascii_whitespace().nth(1);
-    Duration::from_nanos(waited.and_then(|word| word.parse().ok()).unwrap_or(0))
-}
-
-/// The same elsewhere: nothing is known.
+/// How long this thread waited for a processor: nothing is known.
 #[cfg(not(target_os = "linux"))]
 pub(crate) fn waited() -> Duration {
     Duration::ZERO

@@ -251,8 +251,6 @@ impl Explained for PixelAverage {
                 "",
                 1.0 - offset.abs() / radius,
             );
-            let round = (1.0 - offset.length() / radius).max(0.0);
-            way.part("1 − distance/radius, of a round filter", round);
             let is_far = way.is_less("a factor is negative", factors.min_element(), 0.0);
             let weight = if is_far {
                 0.0

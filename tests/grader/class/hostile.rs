@@ -29,7 +29,7 @@ fn every_attack_and_every_honest_hand_in_has_its_verdict_in_one_run() {
         .expect("a hand-in");
     }
     // Processor time: enough for an honest program however busy the machine is, and little for those that never end.
-    let course = "[limits]\nanswer_seconds = 0.5\nexercise_seconds = 1\n[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
+    let course = "[limits]\nanswer_seconds = 1.5\nexercise_seconds = 3\n[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at']\n";
     fs::write(desk.path("course/course.toml"), course).expect("the course");
     let before = desk.files();
     let output = Command::new(env!("CARGO_BIN_EXE_raybook"))

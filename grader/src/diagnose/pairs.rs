@@ -126,7 +126,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     for (i, one) in few.iter().enumerate() {
         for (j, other) in few[..i].iter().enumerate() {
             for together in TOGETHER {
-                let promises = probe.score(MOST, |k| made(&probe, one, other, together, k));
+                let promises = probe.score(0.99, |k| made(&probe, one, other, together, k));
                 if promises.is_none() {
                     continue;
                 }

@@ -113,42 +113,34 @@ fn beside(
 /// The mistakes that show in all answers of the rest.
 fn others(evidence: &Evidence<'_>, readings: &[Misreading], rest: &[usize]) -> Vec<Other> {
     let examiner = evidence.examiner;
-    let question = |k: usize| &*evidence.items[k].question;
-    let shows = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
-        let differs = |k: &usize| answer(*k).is_some_and(|one| one != evidence.items[*k].golden());
-        rest.iter().all(differs)
-    };
-    let all = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
-        (0..evidence.items.len()).map(answer).collect()
-    };
+    let n = evidence.items.len();
+    let right = |k: usize| evidence.items[k].golden();
     let mut others = Vec::new();
+    let mut consider =
+        |name: &str, hint: &str, rank, answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
+            let answer =
+                |k: usize| Some(evidence.canonical(&evidence.items[k].question, &answer(k)?));
+            let differs = |k: &usize| answer(*k).is_some_and(|answer| answer != right(*k));
+            if rest.iter().all(differs) {
+                let [name, hint] = [name, hint].map(str::to_owned);
+                let answers = (0..n).map(answer).collect();
+                others.push(Other {
+                    name,
+                    hint,
+                    rank,
+                    answers,
+                });
+            }
+        };
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
         let answer = |k: usize| {
-            let answer = attempt(|| examiner.mistake_answers(i, question(k)))??;
-            Some(evidence.canonical(question(k), &answer))
+            attempt(|| examiner.mistake_answers(i, &evidence.items[k].question)).flatten()
         };
-        if shows(&answer) {
-            others.push(Other {
-                name: name.to_owned(),
-                hint: hint.to_owned(),
-                rank: 0,
-                answers: all(&answer),
-            });
-        }
+        consider(name, hint, 0, &answer);
     }
     for reading in readings {
-        let answer = |k: usize| {
-            let answer = misread(evidence, reading, k)?;
-            Some(evidence.canonical(question(k), &answer))
-        };
-        if shows(&answer) {
-            others.push(Other {
-                name: reading.name.clone(),
-                hint: reading.hint.clone(),
-                rank: reading.rank,
-                answers: all(&answer),
-            });
-        }
+        let answer = |k: usize| misread(evidence, reading, k);
+        consider(&reading.name, &reading.hint, reading.rank, &answer);
     }
     others
 }

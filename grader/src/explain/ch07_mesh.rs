@@ -105,8 +105,8 @@ fn summed(asked: &VertexNormals, way: &mut Way, given: Given) -> Vec<Vec3> {
         let across = way.vector(name, "m²", e1.cross(e2));
         let added = given(way, [e1, e2], across);
         let added = way.part("what a triangle gives to its vertices", added);
-        for k in way.rounds("the corners of a triangle", corners.len()) {
-            sums[corners[k] as usize] += added;
+        for k in corners {
+            sums[k as usize] += added;
         }
     }
     let each = sums.into_iter().enumerate().map(|(i, sum)| {

@@ -69,14 +69,16 @@ fn every_attack_and_every_honest_hand_in_has_its_verdict_in_one_run() {
         .filter(|path| !before.contains_key(*path) && !path.starts_with(&results))
         .collect();
     assert!(made.is_empty(), "{made:?}");
+    let grade_of = |student: &str| text(&results.join("students").join(student).join("grade.json"));
     let points = |student: &str| -> f64 {
-        let grade = text(&results.join("students").join(student).join("grade.json"));
+        let grade = grade_of(student);
         let grade: serde_json::Value = serde_json::from_str(&grade).expect("it is JSON");
         assert_eq!(grade["complete"], true, "{student}");
         grade["points"].as_f64().expect("a number")
     };
     for i in 0..HONEST {
-        assert_eq!(points(&format!("honest{i}")), 1.0, "honest{i}: {said}");
+        let name = format!("honest{i}");
+        assert_eq!(points(&name), 1.0, "{name}: {said}\n{}", grade_of(&name));
     }
     for (name, _) in PYTHON {
         assert!(points(name) < 0.5, "{name}");

@@ -1,15 +1,13 @@
 //! Numbers of a question that are read in another convention, or kept within bounds that nobody asked for.
 
-use super::function::diagnosed;
+use super::function::{camera, diagnosed};
 use raybook_grader::cases;
 
 /// The direction through a place of the film from −1 to 1, with y upwards.
 #[test]
 fn a_film_in_device_coordinates_is_named() {
     let found = diagnosed("camera_ray", |q| {
-        let [from, forward, right, up] =
-            [0, 3, 6, 9].map(|from| glam::DVec3::from_slice(&q[from..]));
-        let [f, wide, high, x, y] = [12, 13, 14, 15, 16].map(|i| q[i]);
+        let ([from, forward, right, up], [f, wide, high, x, y]) = camera(q);
         let v = f * forward + 0.5 * x * wide * right + 0.5 * y * high * up;
         Some([from.to_array(), v.normalize().to_array()].concat())
     });

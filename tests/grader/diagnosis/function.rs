@@ -1,5 +1,6 @@
 //! The diagnosis of a function that is written here, from the numbers of a question to those of an answer.
 
+use glam::DVec3;
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
@@ -48,4 +49,12 @@ pub fn right(exercise: &str, question: &[f64]) -> Vec<f64> {
 pub fn told(exercise: &str, question: &[f64]) -> Vec<f64> {
     let explainer = find(exercise).expect("it has steps");
     (explainer.work)(0, question, &mut Way::default())
+}
+
+/// A question of `camera_ray`: the focal point, forward, right and up; the focal length, the plane's width and height, and x and y of the film.
+pub fn camera(question: &[f64]) -> ([DVec3; 4], [f64; 5]) {
+    (
+        [0, 3, 6, 9].map(|from| DVec3::from_slice(&question[from..])),
+        [12, 13, 14, 15, 16].map(|i| question[i]),
+    )
 }

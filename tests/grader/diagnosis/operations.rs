@@ -1,7 +1,7 @@
 //! Slips in one operation are named by what goes into a step; and where no mistake gives the same answers, or there are none, the
 //! branch of the calculation is told.
 
-use super::function::diagnosed;
+use super::function::{camera, diagnosed};
 use raybook_grader::cases;
 
 /// Fresnel's equations; `term` is n₂ cos θ₁ in the numerator of Rp.
@@ -340,9 +340,7 @@ fn another_vector_in_a_product_is_named() {
 #[test]
 fn another_length_in_one_place_of_the_film_is_named() {
     let found = diagnosed("camera_ray", |q| {
-        let [start, forward, right, up] =
-            [0, 3, 6, 9].map(|from| glam::DVec3::from_slice(&q[from..]));
-        let [f, wide, high, x, y] = [12, 13, 14, 15, 16].map(|i| q[i]);
+        let ([start, forward, right, up], [f, wide, high, x, y]) = camera(q);
         let corner = f * forward - 0.5 * high * right + 0.5 * high * up;
         let v = corner + x * wide * right - y * high * up;
         Some([start.to_array(), v.normalize().to_array()].concat())

@@ -1,6 +1,6 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
-use super::function::diagnosed;
+use super::function::{camera, diagnosed};
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Beside, Diagnosis};
 
@@ -60,9 +60,7 @@ fn who_forgets_a_weight_and_asks_nothing_of_a_flat_triangle_is_told_the_weight()
 #[test]
 fn a_mistake_in_each_of_two_parts_is_told_in_its_part() {
     let found = diagnosed("camera_ray", |q| {
-        let [start, forward, right, up] =
-            [0, 3, 6, 9].map(|from| glam::DVec3::from_slice(&q[from..]));
-        let [f, wide, high, x, y] = [12, 13, 14, 15, 16].map(|i| q[i]);
+        let ([start, forward, right, up], [f, wide, high, x, y]) = camera(q);
         let v = f * forward - (x - 0.5) * wide * right + (0.5 - y) * high * up;
         Some([(-start).to_array(), v.normalize().to_array()].concat())
     });

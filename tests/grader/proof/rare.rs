@@ -41,8 +41,7 @@ fn met<const N: usize>(asked: &Asked, shares: [f64; N]) -> [usize; N] {
 }
 
 #[test]
-fn a_fault_in_the_region_that_the_table_tells_is_met_with_95_percent_and_one_in_a_tenth_of_it_seldom()
- {
+fn faults_in_the_region_of_the_table_are_met_with_95_percent_and_in_a_tenth_of_it_seldom() {
     let met = |asked: &Asked| met(asked, [1.0, 0.1]);
     let sum = |one: [usize; 2], other: [usize; 2]| [one[0] + other[0], one[1] + other[1]];
     let met = ASKED.par_iter().map(met).reduce(|| [0, 0], sum);

@@ -85,9 +85,6 @@ pub struct Evidence<'a> {
 /// What an answer tells that holds nothing but yes, no, or a small whole number.
 const HARDLY: f64 = 0.25;
 
-/// Whole numbers of more binary digits than these in all tell as much as a number.
-const DIGITS: u32 = 7;
-
 impl<'a> Evidence<'a> {
     /// The evidence of answers, each with whether it is right.
     pub fn new(
@@ -172,16 +169,15 @@ impl<'a> Evidence<'a> {
     fn tells(&self, layout: &Layout, got: &[f64]) -> f64 {
         let looked_at = |part: usize| self.scope == Scope::Whole || self.scope == Scope::Part(part);
         let special = |v: &f64| [0.0, 1.0, -1.0].contains(v) || !v.is_finite();
-        let (mut numbers, mut wholes, mut digits) = (0, 0, 0);
+        let (mut numbers, mut wholes) = (0, 0);
         for leaf in layout.leaves.iter().filter(|leaf| looked_at(leaf.part)) {
             if matches!(self.parts[leaf.part].kind, Kind::Whole) {
                 wholes += 1;
-                digits += u64::BITS - (got[leaf.start].abs() as u64).leading_zeros();
             } else {
                 numbers += got[leaf.range()].iter().filter(|v| !special(v)).count();
             }
         }
-        if numbers > 0 || wholes > 5 || digits > DIGITS {
+        if numbers > 0 || wholes > 5 {
             1.0
         } else {
             HARDLY

@@ -7,11 +7,12 @@ use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
 pub(crate) use crate::stat::waited;
 #[cfg(target_os = "linux")]
-use crate::stat::{Stat, is_in_group, processes};
+use crate::stat::{Stat, is_in_group, processes, waited_in};
 use crate::suspend::now;
 use std::time::{Duration, Instant};
 
-/// The maximum time on the wall for an answer, however busy the machine is, in time limits.
+/// The maximum time for an answer in which a program has the processor or asks for none, in time limits: what works now and then and
+/// sleeps between ends too.
 const AT_MOST: u32 = 10;
 
 /// The first look at what a program has used comes after the time limit divided by this: most answers come before it, and cost
@@ -25,6 +26,8 @@ pub struct Usage {
     pub time: Duration,
     /// Whether one of their threads would go on if it could.
     pub at_work: bool,
+    /// How long that one of their threads has waited for a processor which has waited longest.
+    pub waited: Duration,
 }
 
 /// Measures the time for an answer.
@@ -33,8 +36,8 @@ pub struct Clock {
     /// When it began, and how long it goes on, on the wall.
     since: Instant,
     wall: Duration,
-    /// What was used when a part of the time was over.
-    noted: Option<Duration>,
+    /// What was used when a part of the time was over, and how long a processor had been waited for.
+    noted: Option<(Duration, Duration)>,
     /// The last look after that: when, since the beginning, and what was used.
     looked: Option<(Duration, Duration)>,
     /// Whether it slept at the last look. One look may find nobody at work between the end of one process and the start of the next, as
@@ -98,10 +101,10 @@ impl Clock {
         let elapsed = now().saturating_duration_since(self.since);
         let total = limit + start;
         let usage = self.usage();
-        let Some(before) = self.noted else {
-            let used = usage.map_or(Duration::ZERO, |usage| usage.time);
-            self.noted = Some(used);
-            self.looked = Some((elapsed, used));
+        let Some((used_before, waited_before)) = self.noted else {
+            let noted = usage.map_or_else(Default::default, |usage| (usage.time, usage.waited));
+            self.noted = Some(noted);
+            self.looked = Some((elapsed, noted.0));
             return false;
         };
         if let (Some(usage), Some((when, used))) = (usage, self.looked) {
@@ -114,15 +117,17 @@ impl Clock {
         // Where nothing is known, what passes on the wall is taken for work.
         let (used, at_work) = usage.map_or((elapsed, true), |usage| {
             // So is what was used before the first look.
-            let since = usage.time.saturating_sub(before);
+            let since = usage.time.saturating_sub(used_before);
             (limit / LOOK + since, usage.at_work)
         });
+        let waited = usage.map_or(Duration::ZERO, |usage| usage.waited);
+        let not_kept_waiting = elapsed.saturating_sub(waited.saturating_sub(waited_before));
         self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
         let sleeps = !at_work && self.slept;
         self.slept = !at_work;
         let is_over = |total| {
             let slept = sleeps && elapsed >= total;
-            slept || used >= total || elapsed >= AT_MOST * total
+            slept || used >= total || not_kept_waiting >= AT_MOST * total
         };
         is_over(total) && is_over(total.mul_f64(slowness()))
     }
@@ -141,20 +146,21 @@ pub fn usage(group: u32) -> Option<Usage> {
         let Some(stat) = Stat::read(&folder.join("stat")) else {
             continue;
         };
-        let threads = std::fs::read_dir(folder.join("task")).into_iter().flatten();
-        let threads = threads
-            .flatten()
-            .filter_map(|thread| Stat::read(&thread.path().join("stat")));
-        let at_work = threads
-            .into_iter()
-            .any(|thread| matches!(thread.state, b'R' | b'D'));
-        let time = Duration::from_millis(1000 * stat.ticks / ticks.max(1));
         let all = usage.get_or_insert(Usage {
             time: Duration::ZERO,
             at_work: false,
+            waited: Duration::ZERO,
         });
-        all.time += time;
-        all.at_work |= at_work;
+        all.time += Duration::from_millis(1000 * stat.ticks / ticks.max(1));
+        for thread in std::fs::read_dir(folder.join("task"))
+            .into_iter()
+            .flatten()
+            .flatten()
+        {
+            let stat = Stat::read(&thread.path().join("stat"));
+            all.at_work |= stat.is_some_and(|stat| matches!(stat.state, b'R' | b'D'));
+            all.waited = all.waited.max(waited_in(&thread.path()));
+        }
     }
     usage
 }

@@ -12,10 +12,6 @@ use crate::attempt::attempt;
 /// Wrong answers that an explanation is tried on before it is tried on all.
 const PROBE: usize = 8;
 
-/// The share of these that it must give. The first cases have names, and round numbers: who cuts 10 cells off to 9 there is off by a last
-/// digit.
-const PROMISES: f64 = 0.6;
-
 /// Ways to misread a question that are tried in pairs, the likeliest first.
 const PAIRS: usize = 60;
 
@@ -92,8 +88,7 @@ pub const TOGETHER: [Together; 2] = [
     },
 ];
 
-/// The answer of two mistakes that do not meddle with each other: where one does not show, it is the other's. Where they differ in whether
-/// there is an answer, or in how much of it, the other decides.
+/// The answer of two mistakes that do not meddle with each other: where one does not show, it is the other's.
 pub fn of_two(right: &[f64], one: &[f64], other: &[f64], together: Together) -> Option<Vec<f64>> {
     if one == right {
         return Some(other.to_vec());
@@ -101,12 +96,12 @@ pub fn of_two(right: &[f64], one: &[f64], other: &[f64], together: Together) -> 
     if other == right {
         return Some(one.to_vec());
     }
-    if one.len() != right.len() || other.len() != right.len() {
-        return Some(other.to_vec());
-    }
+    let is_alike = one.len() == right.len() && other.len() == right.len();
     let each = right.iter().zip(one.iter().zip(other));
-    let both = each.map(|(right, (one, other))| together(*right, *one, *other));
-    Some(both.collect())
+    is_alike.then(|| {
+        each.map(|(right, (one, other))| together(*right, *one, *other))
+            .collect()
+    })
 }
 
 /// Explanations by two of the exercise's own mistakes, each in another summand, factor or branch.
@@ -253,7 +248,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
                      rank,
                      answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
         if probe
-            .score(PROMISES, |k| answer(&probe.items[k].question))
+            .score(0.99, |k| answer(&probe.items[k].question))
             .is_none()
         {
             return;

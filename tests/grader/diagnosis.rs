@@ -16,6 +16,7 @@ mod nonsense;
 mod operations;
 mod own_choices;
 mod panics;
+mod parts;
 mod phong;
 mod regimes;
 mod several;

@@ -50,7 +50,9 @@ fn radiance(
     let cosine = if is_behind { 0.0 } else { cosine };
     let highlight = cosine.powf(exponent);
     let highlight = way.number("that, 0 at least, to the power α", "", highlight);
-    let height = way.part("L·N in the diffuse part", lambert);
+    // Who goes on below the surface may have cut the cosine off there.
+    let height = way.made("to take 0 for a negative L·N", lambert, lambert.max(0.0));
+    let height = way.part("L·N in the diffuse part", height);
     let diffuse = way.colour("diffuse: k_d (L·N)", "1/sr", matte * height);
     let specular = way.colour("specular: k_s times that", "1/sr", shiny * highlight);
     let both = way.colour_part("diffuse + specular", diffuse + specular);
@@ -113,7 +115,8 @@ impl Explained for BlinnPhongExercise {
         radiance(way, &self.at, |way, [n, v, l], _| {
             let l = way.part("L, in L + V", l);
             let sum = way.part("L + V", l + v);
-            let half = way.vector("H = (L + V)/|L + V|", "", sum.normalize_or_zero());
+            let half = way.made("to normalise L + V", sum, sum.normalize_or_zero());
+            let half = way.vector("H = (L + V)/|L + V|", "", half);
             let n = way.part("N, in N·H", n);
             let products = way.part("the products that N·H adds up", n * half);
             way.number("N·H", "", products.element_sum())

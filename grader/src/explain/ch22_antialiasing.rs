@@ -245,11 +245,16 @@ impl Explained for PixelAverage {
         for i in way.rounds("the samples", self.samples.len()) {
             let seen = &self.samples[i];
             let offset = way.part("offset", seen.offset.as_dvec2());
+            let away = way.made(
+                "to take the absolute values of x and y",
+                offset,
+                offset.abs(),
+            );
             let radius = way.part("radius", f64::from(self.radius));
             let factors = way.pair(
                 format!("sample {i}: (1 − |x|/radius, 1 − |y|/radius)"),
                 "",
-                1.0 - offset.abs() / radius,
+                1.0 - away / radius,
             );
             let is_far = way.is_less("a factor is negative", factors.min_element(), 0.0);
             let weight = if is_far {
@@ -269,7 +274,8 @@ impl Explained for PixelAverage {
             way.remark("The weights sum up to 0: black.");
             return Rgb::BLACK;
         }
-        colour(way.colour("Σ w L/Σ w", "W·m⁻²·sr⁻¹", sum / weights))
+        let average = way.made("to divide by Σ w", sum, sum / weights);
+        colour(way.colour("Σ w L/Σ w", "W·m⁻²·sr⁻¹", average))
     }
 
     fn draw(&self, _: &Rgb, _: Option<&Rgb>) -> Option<Diagram> {

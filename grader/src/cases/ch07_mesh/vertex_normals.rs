@@ -94,15 +94,7 @@ impl Graded for VertexNormals {
         Mistake {
             name: "adds to the first corner only",
             hint: "Each triangle has three corners: to how many of them do you add its normal?",
-            answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for ([first, ..], twice_area) in faces(q, Vec3::cross) {
-                    sums[first] += twice_area;
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
-            },
+            answer: |q| by_corner(q, [1.0, 0.0, 0.0]),
         },
         Mistake {
             name: "returns NaN for a vertex without triangles",
@@ -160,16 +152,7 @@ impl Graded for VertexNormals {
         Mistake {
             name: "leaves out the last corner of each triangle",
             hint: "How many corners has a triangle, and to how many of them do you add?",
-            answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for ([first, second, _], twice_area) in faces(q, Vec3::cross) {
-                    sums[first] += twice_area;
-                    sums[second] += twice_area;
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
-            },
+            answer: |q| by_corner(q, [1.0, 1.0, 0.0]),
         },
         Mistake {
             name: "keeps the first triangle's normal only",
@@ -202,16 +185,7 @@ impl Graded for VertexNormals {
         Mistake {
             name: "leaves out the first corner of each triangle",
             hint: "How many corners has a triangle, and to how many of them do you add?",
-            answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for ([_, second, third], twice_area) in faces(q, Vec3::cross) {
-                    sums[second] += twice_area;
-                    sums[third] += twice_area;
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
-            },
+            answer: |q| by_corner(q, [0.0, 1.0, 1.0]),
         },
         Mistake {
             name: "forgets the last triangle",
@@ -239,16 +213,22 @@ impl Graded for VertexNormals {
         Mistake {
             name: "leaves out the second corner of each triangle",
             hint: "How many corners has a triangle, and to how many of them do you add?",
-            answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for ([first, _, third], twice_area) in faces(q, Vec3::cross) {
-                    sums[first] += twice_area;
-                    sums[third] += twice_area;
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
-            },
+            answer: |q| by_corner(q, [1.0, 0.0, 1.0]),
+        },
+        Mistake {
+            name: "points inwards at the first corner of each triangle",
+            hint: "From each corner, the first of your edges goes to the next corner of the triangle: does it, at all three?",
+            answer: |q| by_corner(q, [-1.0, 1.0, 1.0]),
+        },
+        Mistake {
+            name: "points inwards at the second corner of each triangle",
+            hint: "From each corner, the first of your edges goes to the next corner of the triangle: does it, at all three?",
+            answer: |q| by_corner(q, [1.0, -1.0, 1.0]),
+        },
+        Mistake {
+            name: "points inwards at the last corner of each triangle",
+            hint: "From each corner, the first of your edges goes to the next corner of the triangle: does it, at all three?",
+            answer: |q| by_corner(q, [1.0, 1.0, -1.0]),
         },
         Mistake {
             name: "turns every normal up",
@@ -318,6 +298,19 @@ fn sums(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
         }
     }
     sums
+}
+
+/// The normals, if each triangle is added to its three corners with these weights.
+fn by_corner(q: &VertexNormals, weights: [f32; 3]) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; q.positions.len()];
+    for (corners, twice_area) in faces(q, Vec3::cross) {
+        for (corner, weight) in corners.into_iter().zip(weights) {
+            sums[corner] += weight * twice_area;
+        }
+    }
+    sums.into_iter()
+        .map(|sum| sum.normalize_or(Vec3::Y))
+        .collect()
 }
 
 pub(super) fn normals(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {

@@ -202,8 +202,15 @@ impl Graded for GridResolution {
             name: "leaves thin axes out once, and does not ask again",
             hint: "With fewer axes the cells are larger: may another axis now get less than one?",
             answer: |q| {
-                let once = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))));
-                let thick = thicker(q, once);
+                let thick = thicker(q, extended(q));
+                whole(along(q, thick) * thick, f32::round)
+            },
+        },
+        Mistake {
+            name: "leaves out an axis only if its extent is 0",
+            hint: "A box is a millimetre thick, and its cells are a metre: do the cells along its two long sides come to λN?",
+            answer: |q| {
+                let thick = extended(q);
                 whole(along(q, thick) * thick, f32::round)
             },
         },
@@ -228,7 +235,7 @@ fn share(q: &GridResolution) -> Vec3 {
 
 /// 1 for each axis that is cut, and 0 for one that is left out.
 fn thick(q: &GridResolution) -> Vec3 {
-    let mut thick = Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))));
+    let mut thick = extended(q);
     loop {
         let fewer = thicker(q, thick);
         if fewer == thick {
@@ -236,6 +243,11 @@ fn thick(q: &GridResolution) -> Vec3 {
         }
         thick = fewer;
     }
+}
+
+/// 1 for each axis whose extent is not 0.
+fn extended(q: &GridResolution) -> Vec3 {
+    Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))))
 }
 
 /// Those of some axes that get a cell or more, if they share all cells.

@@ -232,6 +232,16 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
+            name: "exchanges rows and columns of the map, in its integral too",
+            hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
+            answer: |q| {
+                let (width, height) = (q.width as usize, q.height as usize);
+                let places = (0..q.texels.len()).map(|i| (i % width) * height + i / width);
+                let texels = places.map(|place| q.texels[place]).collect();
+                Self::misread(q, |q| q.texels = texels)
+            },
+        },
+        Mistake {
             name: "multiplies the row by the number of rows, not by the width, to find the texel in the list",
             hint: "How many texels come in the list before the first one of the second row?",
             answer: |q| {

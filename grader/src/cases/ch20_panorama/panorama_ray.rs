@@ -157,6 +157,16 @@ impl Graded for PanoramaRay {
             hint: "From the top edge of the picture to its bottom edge, from which direction to which do you look?",
             answer: |q| along(q, TAU * (q.film.x - 0.5), 0.25 * PI + 0.5 * PI * q.film.y),
         },
+        Mistake {
+            name: "takes the film for a flat one twice as wide as it is far away, as that of a pin-hole camera",
+            hint: "A flat film sees what is ahead: where on it is what lies behind you?",
+            answer: |q| flat(q, 1.0),
+        },
+        Mistake {
+            name: "takes the film for a flat one as wide as it is far away, as that of a pin-hole camera",
+            hint: "A flat film sees what is ahead: where on it is what lies behind you?",
+            answer: |q| flat(q, 0.5),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -197,6 +207,13 @@ fn at_height(q: &PanoramaRay, height: f32) -> CameraRayAnswer {
     let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
     let level = cos * *q.forward + sin * *q.right;
     ray(q, (level + height * *q.up).normalize_or_zero())
+}
+
+/// The ray of a pin-hole camera whose film is flat, a metre away, and reaches this far to each side.
+fn flat(q: &PanoramaRay, half: f32) -> CameraRayAnswer {
+    let place = half * vec2(2.0 * q.film.x - 1.0, 1.0 - 2.0 * q.film.y);
+    let toward = *q.forward + place.x * *q.right + place.y * *q.up;
+    ray(q, toward.normalize())
 }
 
 fn ray(q: &PanoramaRay, direction: Vec3) -> CameraRayAnswer {

@@ -16,12 +16,21 @@ fn tent(q: &PixelAverage, offset: Vec2) -> f32 {
 /// Σ w L/Σ w, with weights of whoever calls.
 fn average(q: &PixelAverage, weight: impl Fn(&Seen) -> f32) -> Rgb {
     let weights: f32 = q.samples.iter().map(&weight).sum();
-    let light: Rgb = q.samples.iter().map(|s| s.radiance * weight(s)).sum();
     if weights == 0.0 {
         Rgb::BLACK
     } else {
-        light / weights
+        undivided(q, weight) / weights
     }
+}
+
+/// Σ w L, with weights of whoever calls.
+fn undivided(q: &PixelAverage, weight: impl Fn(&Seen) -> f32) -> Rgb {
+    q.samples.iter().map(|s| s.radiance * weight(s)).sum()
+}
+
+/// A cone's weight.
+fn cone(q: &PixelAverage, offset: Vec2) -> f32 {
+    (1.0 - offset.length() / q.radius).max(0.0)
 }
 
 impl Graded for PixelAverage {
@@ -62,24 +71,12 @@ impl Graded for PixelAverage {
         Mistake {
             name: "divides by the number of samples",
             hint: "All samples see the same white wall: what does your pixel show?",
-            answer: |q| {
-                let light: Rgb = q
-                    .samples
-                    .iter()
-                    .map(|s| s.radiance * tent(q, s.offset))
-                    .sum();
-                light / (q.samples.len() as f32).max(1.0)
-            },
+            answer: |q| undivided(q, |s| tent(q, s.offset)) / (q.samples.len() as f32).max(1.0),
         },
         Mistake {
             name: "does not divide by the sum of the weights",
             hint: "Take every sample twice: does the pixel become brighter?",
-            answer: |q| {
-                q.samples
-                    .iter()
-                    .map(|s| s.radiance * tent(q, s.offset))
-                    .sum()
-            },
+            answer: |q| undivided(q, |s| tent(q, s.offset)),
         },
         Mistake {
             name: "lets the weights go below 0",
@@ -111,7 +108,12 @@ impl Graded for PixelAverage {
         Mistake {
             name: "makes a cone instead of a tent",
             hint: "The tent's edges are straight: what is its weight at a corner of its square, and half way to the corner?",
-            answer: |q| average(q, |s| (1.0 - s.offset.length() / q.radius).max(0.0)),
+            answer: |q| average(q, |s| cone(q, s.offset)),
+        },
+        Mistake {
+            name: "makes a cone instead of a tent, and does not divide by the sum of the weights",
+            hint: "Take every sample twice: does the pixel become brighter? And how does a tent's edge differ from a cone's?",
+            answer: |q| undivided(q, |s| cone(q, s.offset)),
         },
         Mistake {
             name: "forgets the radius",
@@ -199,11 +201,7 @@ impl Graded for PixelAverage {
                     .iter()
                     .map(|s| tent(q, s.offset))
                     .fold(0.0, f32::max);
-                let light: Rgb = q
-                    .samples
-                    .iter()
-                    .map(|s| s.radiance * tent(q, s.offset))
-                    .sum();
+                let light = undivided(q, |s| tent(q, s.offset));
                 if most > 0.0 { light / most } else { Rgb::BLACK }
             },
         },

@@ -56,8 +56,8 @@ pub const TOGETHER: Flaw = Flaw {
 /// What is wrong where [`crate::together::seeded`] complains.
 pub const SEED: Flaw = Flaw {
     complaint: "give the same points",
-    name: "ignores the seed",
-    hint: "What does your generator start from?",
+    name: "ignores the seed, or a part of it",
+    hint: "What does your generator start from: from all of the seed, or from some of its digits?",
 };
 
 /// What is wrong where [`crate::together::serial`] complains.

@@ -187,11 +187,7 @@ impl Graded for PoissonDisk {
             name: "ends while there is still room for more points, or keeps them too far apart",
             hint: "How often in a row may a new point be refused before you give up? Do two points that are just as far apart as asked both stay?",
         },
-        Flaw {
-            complaint: "give the same points",
-            name: "ignores the seed",
-            hint: "What does your generator start from?",
-        },
+        points::SEED,
         Flaw {
             complaint: "more would have room",
             name: "keeps the points farther apart than asked",

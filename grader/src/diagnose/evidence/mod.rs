@@ -346,9 +346,13 @@ impl<'a> Evidence<'a> {
         2 * counted().filter(is_same).count() > counted().count()
     }
 
-    /// The first wrong items; none if nothing is wrong.
+    /// The wrong items that tell most, the first of those that tell as much; none if nothing is wrong. Cases with names have small and
+    /// round numbers, which tell little, and which rounding decides.
     pub fn probe(&self, most: usize) -> Option<Self> {
-        self.keeping(self.items[..self.wrong.min(most)].to_vec())
+        let mut wrong = self.items[..self.wrong].to_vec();
+        wrong.sort_by(|a, b| b.tells.total_cmp(&a.tells));
+        wrong.truncate(most);
+        self.keeping(wrong)
     }
 
     /// Whether all wrong answers are the same, and tell nothing more than yes or no.

@@ -351,8 +351,31 @@ fn agree(numbers: &[f64]) -> Option<f64> {
         .then_some(first)
 }
 
-/// The line through points: its slope, and where it begins. Most points must be on it, and they must not all be in one place.
+/// The line through points: its slope, and where it begins. Most points must be on it, and they must not all be in one place. Points that
+/// are elsewhere, such as those at an edge where two answers are right, do not turn it.
 fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
+    let mut by_x = points.to_vec();
+    by_x.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let far = by_x.iter().zip(&by_x[points.len() / 2..]);
+    let apart = far.filter(|(a, b)| b.0 - a.0 > 1e-6);
+    let slope = middle(apart.map(|(a, b)| (b.1 - a.1) / (b.0 - a.0)).collect())?;
+    let shift = middle(points.iter().map(|p| p.1 - slope * p.0).collect())?;
+    let on = |p: &&(f64, f64)| (slope * p.0 + shift - p.1).abs() <= 5e-3 * p.1.abs().max(0.1);
+    let on: Vec<_> = points.iter().filter(on).copied().collect();
+    if on.len() < 3 || 5 * on.len() < 4 * points.len() {
+        return None;
+    }
+    fitted(&on)
+}
+
+/// The middle one of some numbers.
+fn middle(mut numbers: Vec<f64>) -> Option<f64> {
+    numbers.sort_by(f64::total_cmp);
+    numbers.get(numbers.len() / 2).copied()
+}
+
+/// The line that has the least squares of deviations from points.
+fn fitted(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     let n = points.len() as f64;
     let (x, y) = points
         .iter()
@@ -360,14 +383,10 @@ fn line(points: &[(f64, f64)]) -> Option<(f64, f64)> {
     let (xx, xy) = points.iter().fold((0.0, 0.0), |sum, p| {
         (sum.0 + (p.0 - x).powi(2), sum.1 + (p.0 - x) * (p.1 - y))
     });
-    if points.len() < 3 || xx < 1e-9 {
+    if xx < 1e-9 {
         return None;
     }
     let slope = xy / xx;
-    if slope.abs() < 1e-6 {
-        return None; // a constant is told as one
-    }
-    let shift = y - slope * x;
-    let on = |p: &&(f64, f64)| (slope * p.0 + shift - p.1).abs() <= 5e-3 * p.1.abs().max(0.1);
-    (5 * points.iter().filter(on).count() >= 4 * points.len()).then_some((slope, shift))
+    // A constant is told as one.
+    (slope.abs() >= 1e-6).then_some((slope, y - slope * x))
 }

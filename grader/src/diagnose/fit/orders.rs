@@ -149,6 +149,16 @@ impl Maker<'_, '_> {
             }
         }
         self.reordered();
+        if axes == ["min", "max"] {
+            let make = |_: usize, v: &mut [f64]| v[1] -= v[0];
+            self.try_one(
+                12,
+                0,
+                format!("returns the length of {} for its max", self.of),
+                "Which two numbers are asked for: both ends, or where it begins and how long it is?",
+                &make,
+            );
+        }
         if n == 2 {
             for (k, axis) in axes.iter().enumerate() {
                 for also in [false, true] {
@@ -273,12 +283,13 @@ impl Maker<'_, '_> {
         }
     }
 
-    /// One component alone is changed.
+    /// One component alone is changed, or each in its own way.
     pub(super) fn components(&mut self) {
         let axes = self.axes();
         if axes.len() < 2 {
             return;
         }
+        let mut lines = Vec::new();
         for (k, axis) in axes.iter().enumerate() {
             let name = format!("{axis} of {}", self.of);
             for function in FUNCTIONS {
@@ -291,41 +302,64 @@ impl Maker<'_, '_> {
                 };
                 self.try_one(function.rank + 4, 0, words, function.hint, &make);
             }
-            let points: Vec<_> = self
-                .pairs
-                .iter()
-                .map(|pair| (pair.base[k], pair.got[k]))
-                .collect();
-            if let Some((slope, shift)) = line(&points) {
-                let (slope, shift) = (
-                    if (slope - 1.0).abs() < 1e-3 {
-                        1.0
-                    } else {
-                        slope
-                    },
-                    if shift.abs() < 1e-4 { 0.0 } else { shift },
-                );
-                if (slope, shift) == (1.0, 0.0) {
-                    continue;
-                }
-                let words = match (slope, shift) {
-                    (1.0, _) => format!("adds {} to {name}", named(shift)),
-                    (_, 0.0) => format!("returns {} times {name}", named(slope)),
-                    _ => format!(
-                        "returns {} times {name} plus {}",
-                        named(slope),
-                        named(shift)
-                    ),
-                };
-                let make = move |_: usize, v: &mut [f64]| v[k] = slope * v[k] + shift;
-                self.try_one(
-                    17,
-                    1,
-                    words,
-                    "Only one component is wrong: in what does its formula differ from the others?",
-                    &make,
-                );
-            }
+            let Some(line) = self.line_of(k) else {
+                continue;
+            };
+            lines.push((k, line, in_words(&name, line)));
         }
+        lines.retain(|(_, line, _)| *line != (1.0, 0.0));
+        for (k, (slope, shift), words) in &lines {
+            let make = |_: usize, v: &mut [f64]| v[*k] = slope * v[*k] + shift;
+            self.try_one(
+                17,
+                1,
+                words.clone(),
+                "Only one component is wrong: in what does its formula differ from the others?",
+                &make,
+            );
+        }
+        if lines.len() > 1 {
+            let make = |_: usize, v: &mut [f64]| {
+                for (k, (slope, shift), _) in &lines {
+                    v[*k] = slope * v[*k] + shift;
+                }
+            };
+            let words: Vec<_> = lines.iter().map(|(_, _, words)| &**words).collect();
+            self.try_one(
+                18,
+                lines.len() as u32,
+                words.join(", and "),
+                "In which unit is each number asked for, where does it begin, and where does it end?",
+                &make,
+            );
+        }
+    }
+
+    /// What a component is times its right value, and plus what, where it is that everywhere.
+    fn line_of(&self, component: usize) -> Option<(f64, f64)> {
+        let both = |pair: &Pair| (pair.base[component], pair.got[component]);
+        let points: Vec<_> = self.pairs.iter().map(both).collect();
+        let (slope, shift) = line(&points)?;
+        Some((
+            if (slope - 1.0).abs() < 1e-3 {
+                1.0
+            } else {
+                slope
+            },
+            if shift.abs() < 1e-4 { 0.0 } else { shift },
+        ))
+    }
+}
+
+/// A line in words.
+fn in_words(name: &str, line: (f64, f64)) -> String {
+    match line {
+        (1.0, shift) => format!("adds {} to {name}", named(shift)),
+        (slope, 0.0) => format!("returns {} times {name}", named(slope)),
+        (slope, shift) => format!(
+            "returns {} times {name} plus {}",
+            named(slope),
+            named(shift)
+        ),
     }
 }

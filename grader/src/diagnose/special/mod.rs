@@ -5,6 +5,7 @@ mod clamped;
 mod largest;
 mod lists;
 mod mean;
+mod nothing;
 mod parts;
 
 use super::evidence::{Evidence, Scope};
@@ -31,6 +32,7 @@ pub fn explanations(evidence: &Evidence<'_>, base: &Answers) -> Vec<Explanation>
     all.extend(largest::explanations(evidence, base));
     all.extend(lists::explanations(evidence, base));
     all.extend(mean::explanations(evidence, base));
+    all.extend(nothing::explanations(evidence, base));
     if evidence.scope == Scope::Whole {
         all.extend(parts::explanations(evidence, base));
     }

@@ -42,7 +42,7 @@ fn measured(script: &str, at_work: bool) -> Measured {
     let measured = Measured {
         wall: start.elapsed(),
         lost: clock.lost(),
-        used: time() - before,
+        used: time().saturating_sub(before),
     };
     child.kill().expect("it is ended");
     child.wait().expect("it ends");

@@ -136,7 +136,9 @@ impl DrawingBackend for Paper<'_> {
             VPos::Top | VPos::Bottom => 0.0,
         };
         let below = |sizes: f64| {
-            let (x, y) = style.transform().transform(0, (sizes * style.size()).round() as i32);
+            let (x, y) = style
+                .transform()
+                .transform(0, (sizes * style.size()).round() as i32);
             (at.0 + x, at.1 + y)
         };
         let pixels = self.pixels.draw_text(words, style, below(LEVEL + centred));

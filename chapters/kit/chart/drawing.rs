@@ -68,11 +68,7 @@ impl Chart {
     }
 
     /// The title, above the middle of the axes, unless it would leave the canvas there.
-    fn draw_title<B: DrawingBackend>(
-        &self,
-        canvas: &DrawingArea<B, Shift>,
-        axes: &Axes<B>,
-    ) -> Drawn
+    fn draw_title<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, axes: &Axes<B>) -> Drawn
     where
         B::ErrorType: 'static,
     {

@@ -1,7 +1,6 @@
 //! What a figure is drawn on: pixels and vectors at the same time, so that it is drawn once.
 
 use plotters::prelude::{BitMapBackend, DrawingBackend, SVGBackend};
-use plotters_backend::text_anchor::VPos;
 use plotters_backend::{
     BackendColor, BackendCoord, BackendStyle, BackendTextStyle, DrawingErrorKind,
 };
@@ -33,8 +32,9 @@ impl<'a> Paper<'a> {
 /// By how much plotters' text of pixels stands higher than that of vectors, as a multiple of the size of the text.
 const LEVEL: f64 = 0.12;
 
-/// By how much plotters' centred text of vectors stands above the middle of digits and small letters, likewise.
-const CENTRED: f64 = 0.05;
+/// By how much plotters' text of vectors stands too high, likewise: the middle of digits and small letters is above the middle of
+/// their line, and the numbers of an x axis touch those of the y axis.
+const LOWER: f64 = 0.05;
 
 /// What both backends report.
 type Done = Result<(), DrawingErrorKind<io::Error>>;
@@ -131,18 +131,14 @@ impl DrawingBackend for Paper<'_> {
     }
 
     fn draw_text<S: BackendTextStyle>(&mut self, words: &str, style: &S, at: BackendCoord) -> Done {
-        let centred = match style.anchor().v_pos {
-            VPos::Center => CENTRED,
-            VPos::Top | VPos::Bottom => 0.0,
-        };
         let below = |sizes: f64| {
             let (x, y) = style
                 .transform()
                 .transform(0, (sizes * style.size()).round() as i32);
             (at.0 + x, at.1 + y)
         };
-        let pixels = self.pixels.draw_text(words, style, below(LEVEL + centred));
+        let pixels = self.pixels.draw_text(words, style, below(LEVEL + LOWER));
         pixels.map_err(known)?;
-        self.vectors.draw_text(words, style, below(centred))
+        self.vectors.draw_text(words, style, below(LOWER))
     }
 }

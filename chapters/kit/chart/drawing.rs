@@ -79,7 +79,7 @@ impl Chart {
         let half = canvas.estimate_text_size(&self.title, &style)?.0 as i32 / 2;
         let (left, _) = canvas.get_base_pixel();
         let (across, _) = axes.plotting_area().get_pixel_range();
-        let middle = (across.start + across.end) / 2 - left;
+        let middle = across.start.midpoint(across.end) - left;
         let right = canvas.dim_in_pixel().0 as i32;
         let x = middle.min(right - half).max(half);
         let y = (MARGIN + self.above() / 2) as i32 - self.text / 4;

@@ -14,7 +14,7 @@ use clap::{Args, ValueEnum};
 use glam::{Vec2, Vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, file, rgb::Rgb, tone};
-use raybook::render::film::Film;
+use raybook::render::film::{Film, SILENT, place_in_pixel};
 use std::cell::LazyCell;
 use std::process::ExitCode;
 
@@ -54,7 +54,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (ends, curve) = knobs.curve.toned();
     let picture = LazyCell::new(|| radiance.map(|p| curve(tone::expose(p, exposure))));
     if stage.wants("picture") {
-        stage.picture("picture", &format!("{room} {ends}"), &picture)?;
+        let see = |place| {
+            let radiance = window::radiance(&camera.ray(place, Vec2::ZERO));
+            curve(tone::expose(radiance, exposure))
+        };
+        let shown = without_stairs(&film, &picture, see);
+        stage.developed("picture", &format!("{room} {ends}"), &picture, &shown)?;
         if !file::load(&stage.folder().join("picture.exr"))?.same_bits(&picture) {
             return Err("picture.exr does not hold the radiance that was written".into());
         }
@@ -142,6 +147,33 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )
 }
 
+/// The picture as a display shows it. At an edge of what is brighter than white, a pixel is the mean of what the display shows of
+/// its samples: what the display shows of their mean would be a stair.
+fn without_stairs(film: &Film, picture: &Image, see: impl Fn(Vec2) -> Rgb + Sync) -> Image {
+    let few = Film {
+        samples: 8,
+        progress: SILENT,
+        ..*film
+    };
+    let last = [film.width - 1, film.height - 1];
+    few.render_pixels(|x, y, rng| {
+        let around = [(0, 1), (1, 0), (1, 1), (1, 2), (2, 1)];
+        let around = around.map(|(i, j)| {
+            let (x, y) = ((x + i).saturating_sub(1), (y + j).saturating_sub(1));
+            picture.at(x.min(last[0]), y.min(last[1])).luminance()
+        });
+        let (is_bright, is_dark) = (|&v: &f32| v > 1.0, |&v: &f32| v < 0.5);
+        if !(around.iter().any(is_bright) && around.iter().any(is_dark)) {
+            return picture.at(x, y);
+        }
+        let points = (0..few.samples).map(place_in_pixel(few.samples, rng));
+        let sum: Rgb = points
+            .map(|point| tone::clamp(see(few.place([x, y], point))))
+            .sum();
+        sum / few.samples as f32
+    })
+}
+
 /// A picture half as wide and high: each pixel is the mean of four.
 fn halved(picture: &Image) -> Image {
     Image::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
@@ -159,7 +191,7 @@ impl Curve {
     fn toned(self) -> (&'static str, fn(Rgb) -> Rgb) {
         match self {
             Self::Clamp => (
-                "The display clamps the sky at white. The EXR file keeps the radiance of the sky.",
+                "The display clamps the sky at white, each sample for itself, which leaves no stairs at the window. The EXR file keeps the radiance of the sky.",
                 |p| p,
             ),
             Self::Reinhard => (

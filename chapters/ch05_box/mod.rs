@@ -35,7 +35,7 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let rows: Vec<_> = (-8..=8).map(|z| Row::new(z, knobs.side)).collect();
-    let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -1.75, 0.0));
+    let (from, to) = (vec3(12.0, 13.0, 17.0), vec3(0.0, -2.3, 0.0));
     let walk = Mat3::from_rotation_y(knobs.turn.to_radians());
     let film = stage.film(16.0 / 9.0);
     let camera = Pinhole::look_at(walk * from, to, Vec3::Y, 0.042, film.aspect())?;

@@ -3,6 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::chart::{Chart, Corner};
 use crate::kit::figure::{CENTRE, Figure};
+use crate::kit::numbers::grouped;
 use crate::kit::palette::{BLUE, GREEN, INK, VERMILION};
 use crate::shared::showroom::Showroom;
 use glam::vec2;
@@ -104,7 +105,7 @@ pub(super) fn plot(costs: &[Cost]) -> Figure {
         .fold(10.0, f32::max);
     let mut chart = Chart::new(
         Axis::log(0.0007..450.0).named("λ: cells per triangle"),
-        Axis::log(0.7..2.0 * most).named("per ray"),
+        Axis::log(0.7..2.0 * most).named("per ray").format(grouped),
     )
     .text(33)
     .legend(Corner::UpperMiddle);

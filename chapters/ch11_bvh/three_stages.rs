@@ -49,7 +49,8 @@ pub(super) fn draw() -> Figure {
             boxes.outline(&bounds, 0.0, BLUE, 4)?;
             let center = bounds.center().truncate();
             disc(&boxes, center, 7, BLUE)?;
-            boxes.centred(&letter(number), center + vec2(0.2, 0.14), 36, INK)?;
+            let above = vec2(center.x, bounds.max.y + 0.22);
+            boxes.centred(&letter(number), above, 36, INK)?;
         }
         if let Some(root) = &tree.root {
             nested.boxes(&tree, root, 0)?;
@@ -150,7 +151,7 @@ impl Diagram<'_, '_, '_> {
         self.paper
             .canvas
             .draw(&Rectangle::new(corners, colour.stroke_width(3)))?;
-        let middle = (corner + vec2(26.0, 20.0) - self.paper.origin) / self.paper.scale;
+        let middle = (corner + vec2(26.0, 18.0) - self.paper.origin) / self.paper.scale;
         let at = vec2(middle.x, -middle.y);
         self.paper.centred(&number.to_string(), at, 36, colour)?;
         self.paper.centred(name, at - vec2(0.0, 0.26), 36, INK)

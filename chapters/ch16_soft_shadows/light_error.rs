@@ -119,7 +119,9 @@ pub fn plot() -> Figure {
 }
 
 fn panel(canvas: &Canvas, title: &str, setting: &Setting, legend: bool) -> Drawn {
-    let samples = Axis::log2(1.0..1024.0).named("samples");
+    let samples = Axis::log2(1.0..1024.0)
+        .named("samples")
+        .marks(&[1.0, 4.0, 16.0, 64.0, 256.0, 1024.0]);
     let errors = Axis::log(0.003..2.0)
         .named("error")
         .format(|error| format!("{} %", (100.0 * error) as f32));

@@ -89,10 +89,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ("a square of 2.4 m", posts::square(2.4)),
             ("a sphere of 2.4 m", posts::sphere(1.2)),
         ];
+        let more = with_samples(3 * knobs.rays);
         let mut tiles = Vec::new();
         for (name, light) in lights {
             let scene = gallery::POSTS.under(light, tile.width)?.scene;
-            let picture = tile.render(&close, &Sampler::Refined, &whitted, &scene);
+            let picture = tile.render(&close, &Sampler::Refined, &more, &scene);
             tiles.push((name, picture));
         }
         let caption = "The same place under a point, a small and a large square, and a sphere: the larger the light, the wider the penumbra.";

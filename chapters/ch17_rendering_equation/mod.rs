@@ -99,15 +99,26 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             |depth| format!("with a maximum depth of {depth}"),
         );
         let global = global.as_str();
-        let few = film.halved().halved();
-        let direct = denoised(&few, &box_guides, &cornell_box, Path { depth: 1, ..path });
-        // The averages of pixels that a smaller picture has are less noisy.
-        let small = |image: &Image| {
-            image.resized((3 * film.width).div_ceil(4), (3 * film.height).div_ceil(4))
+        let small = Film {
+            width: (3 * film.width).div_ceil(4),
+            height: (3 * film.height).div_ceil(4),
+            ..film.halved()
         };
+        // Straight from the lamp, directions by the light are as good as both, and take fewer rays.
+        let straight = Path {
+            depth: 1,
+            strategy: Strategy::Light,
+            ..path
+        };
+        let direct = denoised(
+            &small,
+            &guides(&small, &cornell_box),
+            &cornell_box,
+            straight,
+        );
         let tiles = [
-            ("light straight from the lamp", small(&direct)),
-            (global, small(&picture)),
+            ("light straight from the lamp", direct),
+            (global, picture.resized(small.width, small.height)),
         ];
         let caption = "Local and global illumination: without the light from other surfaces, ceiling and shadows are black.";
         stage.figure("inter_reflections", caption, &sheet(2, &tiles)?)?;
@@ -147,12 +158,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the mean radiance is exposed.
 ///
-/// The radiance of each sample is clamped to a seventh of the lamp's, which is still displayed as white: so the lamp's edges have no
+/// The radiance of each sample is clamped to a tenth of the lamp's, which is still displayed as white: so the lamp's edges have no
 /// stairs. Of the light that surfaces reflect, this takes next to nothing, but for a caustic.
 fn photograph(film: &Film, view: &View, path: Path) -> Image {
     let path = Clamped {
         integrator: path,
-        brightest: cornell::LAMP.max_channel() / 7.0,
+        brightest: cornell::LAMP.max_channel() / 10.0,
     };
     let radiance = film.render(&view.camera, &Sampler::Even, &path, &view.scene);
     radiance.map(|v| v * view.exposure)

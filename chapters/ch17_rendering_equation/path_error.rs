@@ -113,12 +113,13 @@ fn panel(
     if let Some(corner) = legend {
         chart = chart.legend(corner);
     }
-    for ((curve, (_, name)), colour) in curves.iter().zip(STRATEGIES).zip([VERMILION, GREEN, BLUE])
-    {
+    // The second curve may lie below the third, and is wider.
+    let pens = [(VERMILION, 4), (GREEN, 12), (BLUE, 4)];
+    for ((curve, (_, name)), (colour, width)) in curves.iter().zip(STRATEGIES).zip(pens) {
         let points = || curve.iter().map(|m| (m[axis], m[2]));
         chart
-            .dots(points(), 8, colour.filled())
-            .line(points(), colour.stroke_width(4))
+            .dots(points(), 6 + width as i32 / 2, colour.filled())
+            .line(points(), colour.stroke_width(width))
             .named(name);
     }
     chart.draw(canvas)

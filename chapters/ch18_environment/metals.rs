@@ -44,7 +44,7 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
     }
     let scene = Scene::new(things, vec![sky]);
     let eye = vec3(0.0, 0.0, 21.0);
-    let camera = Pinhole::look_at(eye, Vec3::ZERO, Vec3::Y, 0.050, film.aspect())?;
+    let camera = Pinhole::look_at(eye, Vec3::ZERO, Vec3::Y, 0.0541, film.aspect())?;
     let path = Path {
         depth: 3,
         roulette_after: 3,
@@ -53,6 +53,21 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
     Ok(film.denoised(&film.guides(&camera, &scene), |film| {
         film.render(&camera, &Sampler::Even, &path, &scene)
     }))
+}
+
+/// The picture cut into a tile for each ball, with its metal's name in the first row and its roughness below.
+pub(super) fn named(picture: &Image, alpha: f32) -> Vec<(String, Image)> {
+    let (width, height) = (picture.width() / 4, picture.height() / 3);
+    let tile = |i: usize| {
+        let name = match i / 4 {
+            0 => ["gold", "copper", "silver", "aluminium"][i].to_owned(),
+            1 => format!("α = {ROUGH}"),
+            _ => format!("α = {alpha}"),
+        };
+        let pixel = |x, y| picture.at(i % 4 * width + x, i / 4 * height + y);
+        (name, Image::from_fn(width, height, pixel))
+    };
+    (0..12).map(tile).collect()
 }
 
 /// The light that rough silver of this α reflects, as a share of the light that nearly smooth silver (α = 0.01) reflects, seen

@@ -94,7 +94,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("metals") {
-        let film = stage.film_of(480, 8, 4.0 / 3.0);
+        let film = stage.film_of(440, 8, 4.0 / 3.0);
         let light = Box::new(Environment::new(studio.clone()));
         let metals = metals::draw(&film, light, knobs.roughness)?;
         let caption = format!(
@@ -103,7 +103,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             knobs.roughness,
             100.0 * metals::kept(knobs.roughness)
         );
-        stage.figure("metals", &caption, &metals.map(tone::aces))?;
+        let tiles = metals::named(&metals.map(tone::aces), knobs.roughness);
+        stage.figure("metals", &caption, &sheet(4, &tiles)?)?;
     }
 
     if !stage.wants("importance") {

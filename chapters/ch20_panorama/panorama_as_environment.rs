@@ -40,19 +40,19 @@ pub(super) fn looks(
         let camera = wide(from, toward, 85.0, film.aspect())?;
         let real = photograph(film, &camera);
         let seen = plate::surroundings(film, &camera, |toward| environment.radiance(toward));
-        off.push(("difference", difference(&real, &seen)));
+        off.push(("difference × 4", difference(&real, &seen)));
         rendered.push((name, real));
         cut.push(("cut out of the panorama", seen));
     }
     sheet(3, &[rendered, cut, off].concat())
 }
 
-/// White where two pictures are the same on a display, darker where they differ.
+/// White where two pictures are the same on a display, darker where they differ: four times the difference.
 fn difference(a: &Image, b: &Image) -> Image {
     Image::from_fn(a.width(), a.height(), |x, y| {
         let [a, b] = [a, b].map(|image| tone::clamp(image.at(x, y)));
         let off = a + b * -1.0;
-        off.map(|v| 1.0 - v.abs())
+        off.map(|v| 1.0 - (4.0 * v.abs()).min(1.0))
     })
 }
 

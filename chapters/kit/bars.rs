@@ -11,6 +11,8 @@ const ROW: i32 = 84;
 /// Where the bars begin and the longest one ends, in pixels of the canvas.
 const BEGIN: i32 = 620;
 const END: i32 = 1580;
+/// Minimum length of a bar: a number that is nearly 0 beside the others is still seen.
+const LEAST: i32 = 8;
 /// The canvas, in its pixels.
 const WIDTH: u32 = 1920;
 const HEAD: i32 = 110;
@@ -63,7 +65,8 @@ impl Bars<'_> {
         centred(self.title, HEAD / 2, 46)?;
         for (row, (name, value)) in (0..).zip(self.rows) {
             let middle = HEAD + ROW * row + ROW / 2;
-            let end = BEGIN + (f64::from(END - BEGIN) * value / longest) as i32;
+            let length = (f64::from(END - BEGIN) * value / longest) as i32;
+            let end = BEGIN + length.max(LEAST);
             let corners = [(BEGIN, middle - BAR / 2), (end, middle + BAR / 2)];
             canvas.draw(&Rectangle::new(corners, BLUE.filled()))?;
             write(canvas, name, (BEGIN - 28, middle), text(40).pos(RIGHT))?;

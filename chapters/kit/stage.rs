@@ -185,7 +185,15 @@ impl Stage {
     /// # Errors
     /// If a file cannot be written.
     pub fn picture(&self, name: &str, caption: &str, radiance: &Image) -> Drawn {
-        self.write(name, caption, radiance, || {
+        self.developed(name, caption, radiance, radiance)
+    }
+
+    /// As [`Stage::picture`], but `name.png` is made of `shown`, not of the radiance.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    pub fn developed(&self, name: &str, caption: &str, radiance: &Image, shown: &Image) -> Drawn {
+        self.write(name, caption, shown, || {
             let exr = self.folder.join(name).with_extension("exr");
             file::save(&exr, radiance)?;
             Ok((Some(exr), None))

@@ -97,7 +97,7 @@ const DIGIT: f32 = 0.6;
 /// Where a number of some digits, `height` metres high, begins in a cell: at the upper left, or at the lower right if the ray or a
 /// disc would cover it there.
 fn place_of_number(cell: &Aabb, digits: usize, height: f32) -> Vec3 {
-    let inset = 0.06 * cell.size().x.min(1.0);
+    let inset = 0.09 * cell.size().x.min(1.0);
     let to_middle = 0.5 * height * vec3(DIGIT * digits as f32, -1.0, 0.0);
     let left = vec3(cell.min.x + inset, cell.max.y - inset, 0.0);
     let right = vec3(cell.max.x - inset, cell.min.y + inset, 0.0) - 2.0 * to_middle;

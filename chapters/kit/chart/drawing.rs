@@ -2,7 +2,7 @@
 
 use super::{Chart, Form, Thing};
 use crate::kit::axis::{Axis, Scale};
-use crate::kit::figure::{Style, text};
+use crate::kit::figure::{CENTRE, Style, text, write};
 use crate::kit::palette::{FAINT, INK};
 use crate::kit::stage::Drawn;
 use plotters::coord::{Shift, cartesian::Cartesian2d};
@@ -32,13 +32,12 @@ impl Chart {
         let mut builder = ChartBuilder::on(canvas);
         builder
             .margin(MARGIN)
+            .margin_top(MARGIN + self.above())
             .margin_right(MARGIN + self.overhang(canvas)?)
             .x_label_area_size(self.below())
             .y_label_area_size(self.beside(canvas)?);
-        if !self.title.is_empty() {
-            builder.caption(&self.title, text(self.text + 8));
-        }
         let mut axes = builder.build_cartesian_2d(&self.x.scale, &self.y.scale)?;
+        self.draw_title(canvas, &axes)?;
         self.draw_grid(&mut axes)?;
         for thing in &self.things {
             if let Form::Curve(points, pen) = &thing.form {
@@ -68,6 +67,25 @@ impl Chart {
         Ok(())
     }
 
+    /// The title, above the middle of the axes, unless it would leave the canvas there.
+    fn draw_title<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, axes: &Axes<B>) -> Drawn
+    where
+        B::ErrorType: 'static,
+    {
+        if self.title.is_empty() {
+            return Ok(());
+        }
+        let style = text(self.text + 8).pos(CENTRE);
+        let half = canvas.estimate_text_size(&self.title, &style)?.0 as i32 / 2;
+        let (left, _) = canvas.get_base_pixel();
+        let (across, _) = axes.plotting_area().get_pixel_range();
+        let middle = across.start.midpoint(across.end) - left;
+        let right = canvas.dim_in_pixel().0 as i32;
+        let x = middle.min(right - half).max(half);
+        let y = (MARGIN + self.above() / 2) as i32 - self.text / 4;
+        write(canvas, &self.title, (x, y), style)
+    }
+
     fn draw_grid<B: DrawingBackend>(&self, axes: &mut Axes<B>) -> Drawn
     where
         B::ErrorType: 'static,
@@ -95,6 +113,15 @@ impl Chart {
         Ok(())
     }
 
+    /// Pixels above the axes, for the title.
+    fn above(&self) -> u32 {
+        if self.title.is_empty() {
+            0
+        } else {
+            2 * self.text as u32
+        }
+    }
+
     /// Pixels below the axes: a line for the numbers, and one for the name.
     fn below(&self) -> i32 {
         match (self.x.is_drawn, self.x.name.is_empty()) {
@@ -120,9 +147,9 @@ impl Chart {
         Ok(self.widest(&self.y, canvas)? + 24 + name)
     }
 
-    /// Pixels by which a number below the right end of the x axis is wider than the axis.
+    /// Pixels by which a number below the right end of the x axis is wider than the axis; none where charts are aligned.
     fn overhang<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Result<u32, Error<B>> {
-        Ok(if self.x.is_drawn {
+        Ok(if self.x.is_drawn && self.left.is_none() {
             self.widest(&self.x, canvas)? / 2
         } else {
             0

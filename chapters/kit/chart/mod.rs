@@ -89,7 +89,8 @@ impl Chart {
         self
     }
 
-    /// With this number of pixels to the left of the axes, so that charts one above the other are aligned.
+    /// With this number of pixels to the left of the axes and only the margin to the right, so that charts one above the other are
+    /// aligned.
     #[must_use]
     pub fn left(mut self, pixels: u32) -> Self {
         self.left = Some(pixels);

@@ -7,7 +7,7 @@ use crate::slowness::slowness;
 #[cfg(target_os = "linux")]
 pub(crate) use crate::stat::waited;
 #[cfg(target_os = "linux")]
-use crate::stat::{Stat, is_in_group, processes, waited_in};
+use crate::stat::{Stat, is_in_group, processes};
 use crate::suspend::now;
 use std::time::{Duration, Instant};
 
@@ -26,8 +26,6 @@ pub struct Usage {
     pub time: Duration,
     /// Whether one of their threads would go on if it could.
     pub at_work: bool,
-    /// How long that one of their threads has waited for a processor which has waited longest.
-    pub waited: Duration,
 }
 
 /// Measures the time for an answer.
@@ -36,8 +34,8 @@ pub struct Clock {
     /// When it began, and how long it goes on, on the wall.
     since: Instant,
     wall: Duration,
-    /// What was used when a part of the time was over, and how long a processor had been waited for.
-    noted: Option<(Duration, Duration)>,
+    /// What was used when a part of the time was over.
+    noted: Option<Duration>,
     /// The last look after that: when, since the beginning, and what was used.
     looked: Option<(Duration, Duration)>,
     /// Whether it slept at the last look. One look may find nobody at work between the end of one process and the start of the next, as
@@ -45,6 +43,8 @@ pub struct Clock {
     slept: bool,
     /// How long, whenever it was looked at, the program was at work and did not have the processor.
     lost: Duration,
+    /// The rest of the time between the looks since the beginning.
+    had: Duration,
 }
 
 impl Clock {
@@ -58,6 +58,7 @@ impl Clock {
             looked: None,
             slept: false,
             lost: Duration::ZERO,
+            had: Duration::ZERO,
         }
     }
 
@@ -101,33 +102,35 @@ impl Clock {
         let elapsed = now().saturating_duration_since(self.since);
         let total = limit + start;
         let usage = self.usage();
-        let Some((used_before, waited_before)) = self.noted else {
-            let noted = usage.map_or_else(Default::default, |usage| (usage.time, usage.waited));
-            self.noted = Some(noted);
-            self.looked = Some((elapsed, noted.0));
+        let Some(before) = self.noted else {
+            let used = usage.map_or(Duration::ZERO, |usage| usage.time);
+            self.noted = Some(used);
+            self.looked = Some((elapsed, used));
             return false;
         };
         if let (Some(usage), Some((when, used))) = (usage, self.looked) {
             self.looked = Some((elapsed, usage.time));
-            if usage.at_work {
-                let used = usage.time.saturating_sub(used);
-                self.lost += elapsed.saturating_sub(when).saturating_sub(used);
-            }
+            let passed = elapsed.saturating_sub(when);
+            let lost = if usage.at_work {
+                passed.saturating_sub(usage.time.saturating_sub(used))
+            } else {
+                Duration::ZERO
+            };
+            self.lost += lost;
+            self.had += passed.saturating_sub(lost);
         }
         // Where nothing is known, what passes on the wall is taken for work.
         let (used, at_work) = usage.map_or((elapsed, true), |usage| {
             // So is what was used before the first look.
-            let since = usage.time.saturating_sub(used_before);
+            let since = usage.time.saturating_sub(before);
             (limit / LOOK + since, usage.at_work)
         });
-        let waited = usage.map_or(Duration::ZERO, |usage| usage.waited);
-        let not_kept_waiting = elapsed.saturating_sub(waited.saturating_sub(waited_before));
         self.wall = elapsed + total.saturating_sub(used).clamp(limit / 16, limit);
         let sleeps = !at_work && self.slept;
         self.slept = !at_work;
         let is_over = |total| {
             let slept = sleeps && elapsed >= total;
-            slept || used >= total || not_kept_waiting >= AT_MOST * total
+            slept || used >= total || self.had >= AT_MOST * total
         };
         is_over(total) && is_over(total.mul_f64(slowness()))
     }
@@ -146,21 +149,20 @@ pub fn usage(group: u32) -> Option<Usage> {
         let Some(stat) = Stat::read(&folder.join("stat")) else {
             continue;
         };
+        let threads = std::fs::read_dir(folder.join("task")).into_iter().flatten();
+        let threads = threads
+            .flatten()
+            .filter_map(|thread| Stat::read(&thread.path().join("stat")));
+        let at_work = threads
+            .into_iter()
+            .any(|thread| matches!(thread.state, b'R' | b'D'));
+        let time = Duration::from_millis(1000 * stat.ticks / ticks.max(1));
         let all = usage.get_or_insert(Usage {
             time: Duration::ZERO,
             at_work: false,
-            waited: Duration::ZERO,
         });
-        all.time += Duration::from_millis(1000 * stat.ticks / ticks.max(1));
-        for thread in std::fs::read_dir(folder.join("task"))
-            .into_iter()
-            .flatten()
-            .flatten()
-        {
-            let stat = Stat::read(&thread.path().join("stat"));
-            all.at_work |= stat.is_some_and(|stat| matches!(stat.state, b'R' | b'D'));
-            all.waited = all.waited.max(waited_in(&thread.path()));
-        }
+        all.time += time;
+        all.at_work |= at_work;
     }
     usage
 }

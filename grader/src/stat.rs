@@ -61,14 +61,9 @@ pub(crate) fn is_in_group(process: Pid, group: u32) -> bool {
     getpgid(Some(process)).is_ok_and(|of| of.as_raw().unsigned_abs() == group)
 }
 
-/// How long this thread could have gone on since it began, and waited for a processor.
+/// How long this thread could have gone on since it began, and waited for a processor (`/proc/thread-self/schedstat`, in nanoseconds).
 pub(crate) fn waited() -> Duration {
-    waited_in(Path::new("/proc/thread-self"))
-}
-
-/// The same of the thread of this folder, by its `schedstat`, in nanoseconds.
-pub(crate) fn waited_in(folder: &Path) -> Duration {
-    let text = std::fs::read_to_string(folder.join("schedstat")).unwrap_or_default();
+    let text = std::fs::read_to_string("/proc/thread-self/schedstat").unwrap_or_default();
     let waited = text.split_ascii_whitespace().nth(1);
     Duration::from_nanos(waited.and_then(|word| word.parse().ok()).unwrap_or(0))
 }

@@ -20,7 +20,12 @@ use raybook::shape::Surface;
 use raybook::shape::sphere::Sphere;
 
 /// The columns, from left to right.
-const METALS: [Metal; 4] = [Metal::GOLD, Metal::COPPER, Metal::SILVER, Metal::ALUMINIUM];
+const METALS: [(&str, Metal); 4] = [
+    ("gold", Metal::GOLD),
+    ("copper", Metal::COPPER),
+    ("silver", Metal::SILVER),
+    ("aluminium", Metal::ALUMINIUM),
+];
 /// α of the row in the middle; the row above is smooth.
 const ROUGH: f32 = 0.15;
 
@@ -36,7 +41,7 @@ pub(super) fn draw(film: &Film, sky: Box<dyn Light>, alpha: f32) -> Result<Image
         Sphere::new(STEP * vec3(x, y, 0.0), 1.0)
     };
     let mut things = Vec::new();
-    for (column, metal) in METALS.into_iter().enumerate() {
+    for (column, (_, metal)) in METALS.into_iter().enumerate() {
         things.push(Thing::new(ball(column, 0), Conductor(metal)));
         for (row, alpha) in (1..).zip([ROUGH, alpha]) {
             things.push(Thing::new(ball(column, row), Ggx { metal, alpha }));
@@ -60,7 +65,7 @@ pub(super) fn named(picture: &Image, alpha: f32) -> Vec<(String, Image)> {
     let (width, height) = (picture.width() / 4, picture.height() / 3);
     let tile = |i: usize| {
         let name = match i / 4 {
-            0 => ["gold", "copper", "silver", "aluminium"][i].to_owned(),
+            0 => METALS[i].0.to_owned(),
             1 => format!("α = {ROUGH}"),
             _ => format!("α = {alpha}"),
         };

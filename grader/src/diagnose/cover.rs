@@ -1,7 +1,9 @@
-//! Several of the exercise's own mistakes in one function, each of which shows in other cases: who begins makes two at once.
+//! Several mistakes in one function, each of which shows in other cases: who begins makes two at once.
 
 use super::evidence::{Evidence, Score};
-use super::{Beside, Diagnosis};
+use super::misread::Misreading;
+use super::search::misread;
+use super::{Beside, COMMON, Diagnosis};
 use crate::attempt::attempt;
 
 /// Mistakes that are told at once.
@@ -23,8 +25,10 @@ pub struct Cover {
 
 /// A mistake, and what of the answers is as it says.
 struct One {
-    name: &'static str,
-    hint: &'static str,
+    name: String,
+    hint: String,
+    /// 0 for one of the exercise's own.
+    rank: u32,
     score: Score,
     /// Of each wrong answer, whether the mistake gives it.
     gives: Vec<bool>,
@@ -38,15 +42,22 @@ impl Cover {
         self.chosen.len() > 1 && self.explained == self.wrong
     }
 
-    /// Certain, if they give all wrong answers, nothing contradicts them, and the answers say more than yes or no.
+    /// Whether they are the exercise's own.
+    pub fn is_own(&self) -> bool {
+        self.chosen.iter().all(|one| one.rank == 0)
+    }
+
+    /// Certain, if they are the exercise's own and give all wrong answers, nothing contradicts them, and the answers say more than yes
+    /// or no.
     pub fn told(&self) -> Option<Diagnosis> {
         let clear = |one: &One| {
-            one.score.contradicted == 0 && one.score.tells >= 1.0 && !one.score.is_doubtful
+            let is_doubtful = one.score.is_doubtful || one.rank > 0;
+            one.score.contradicted == 0 && one.score.tells >= 1.0 && !is_doubtful
         };
         let certain = self.is_whole() && self.chosen.iter().all(clear);
         let told = |one: &One| Diagnosis {
-            name: one.name.to_owned(),
-            hint: one.hint.to_owned(),
+            name: one.name.clone(),
+            hint: one.hint.clone(),
             part: None,
             certain,
             explained: one.score.explained,
@@ -64,13 +75,13 @@ impl Cover {
     }
 }
 
-/// The exercise's own mistakes that give at least half of the wrong answers: first the one that gives most of them, then the one that gives
-/// most of the rest.
-pub fn search(evidence: &Evidence<'_>) -> Option<Cover> {
+/// The mistakes that give at least half of the wrong answers, of the exercise's own and of questions that are commonly misread: first the
+/// one that gives most of them, then the one that gives most of the rest.
+pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Cover> {
     if evidence.wrong < ALONE {
         return None;
     }
-    let mut ones = ones(evidence);
+    let mut ones = ones(evidence, readings);
     let mut left = vec![true; evidence.wrong];
     let mut chosen: Vec<One> = Vec::new();
     while chosen.len() < SEVERAL {
@@ -86,7 +97,8 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Cover> {
         let fitting = ones.iter().enumerate().filter(|(_, one)| fits(one));
         let best = fitting.min_by_key(|(_, one)| {
             let left_out = evidence.wrong - new(one);
-            (left_out + one.score.contradicted, one.score.contradicted)
+            let loss = left_out + one.score.contradicted;
+            (loss, one.score.contradicted, one.rank)
         });
         let Some((best, _)) = best else { break };
         let one = ones.swap_remove(best);
@@ -104,26 +116,36 @@ pub fn search(evidence: &Evidence<'_>) -> Option<Cover> {
 }
 
 /// The mistakes that give enough of the wrong answers to be chosen.
-fn ones(evidence: &Evidence<'_>) -> Vec<One> {
+fn ones(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<One> {
     let examiner = evidence.examiner;
     let share = ALONE as f64 / evidence.wrong as f64;
-    let one = |(i, (name, hint)): (usize, (&'static str, &'static str))| {
-        let answer = |question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
-        let answers = evidence.items.iter().map(|item| answer(&item.question));
-        let answers: Vec<_> = answers.collect();
+    let one = |name: &str, hint: &str, rank, answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let answers: Vec<_> = (0..evidence.items.len()).map(answer).collect();
         let score = evidence.score(share, |k| answers[k].clone())?;
         let gives = |k: usize| {
             let answer = answers[k].as_ref();
             answer.is_some_and(|answer| evidence.explains(k, answer))
         };
         Some(One {
-            name,
-            hint,
+            name: name.to_owned(),
+            hint: hint.to_owned(),
+            rank,
             score,
             gives: (0..evidence.wrong).map(gives).collect(),
             shown: evidence.first_explained(&answers),
         })
     };
-    let mistakes = examiner.mistakes().into_iter().enumerate();
-    mistakes.filter_map(one).collect()
+    let own = examiner.mistakes().into_iter().enumerate();
+    let own = own.filter_map(|(i, (name, hint))| {
+        let answer = |k: usize| {
+            attempt(|| examiner.mistake_answers(i, &evidence.items[k].question)).flatten()
+        };
+        one(name, hint, 0, &answer)
+    });
+    let common = readings.iter().filter(|reading| reading.rank <= COMMON);
+    let read = common.filter_map(|reading| {
+        let answer = |k: usize| misread(evidence, reading, k);
+        one(&reading.name, &reading.hint, reading.rank, &answer)
+    });
+    own.chain(read).collect()
 }

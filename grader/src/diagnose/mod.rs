@@ -136,14 +136,16 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     if let Some(found) = complete.filter(|found| found.is_own() || found.is_certain()) {
         return Some(found.told(evidence));
     }
-    let cover = cover::search(evidence);
+    let cover = cover::search(evidence, &readings);
     // Of several mistakes each explains a share; one that explains all is simpler, if the answers tell enough to know it. Of yes and no
     // many do: a common mistake seldom gives all the wrong ones and no right one by chance.
     let is_one = complete.is_some_and(|one| {
         let tells = 2.0 * one.score.tells >= one.score.explained as f64;
         one.then.is_none() && (tells || one.score.tells >= TELLS && one.rank <= COMMON)
     });
-    if let Some(found) = cover.as_ref().filter(|cover| cover.is_whole() && !is_one) {
+    let is_told = |cover: &&cover::Cover| cover.is_own() || complete.is_none();
+    let whole_cover = cover.as_ref().filter(|cover| cover.is_whole() && !is_one);
+    if let Some(found) = whole_cover.filter(is_told) {
         return found.told();
     }
     let first = whole

@@ -1,12 +1,12 @@
 //! Explanations by two mistakes, one after the other or beside each other.
 
-use super::MOST;
 use super::evidence::{Evidence, Item, Scope};
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
 use super::search::called;
-use super::slips::{Slipped, slipped};
+use super::slips::slipped;
+use super::{COMMON, MOST};
 use crate::attempt::attempt;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
@@ -18,8 +18,12 @@ const PAIRS: usize = 60;
 /// Steps and decisions that are gone in all, when slips are tried two by two.
 const STEPS: usize = 2_000_000;
 
-/// Explanations by two steps of one way that go wrong, where no single one explains the answers.
-pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
+/// What is answered to the question of an item.
+type Answer<'a> = &'a dyn Fn(usize) -> Option<Vec<f64>>;
+
+/// Explanations by two steps of one way that go wrong, or by one of them and a question that was misread, where no single one explains the
+/// answers.
+pub fn both(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Found>) {
     /// Wrong answers that tell whether a pair is worth a look at all of them.
     const FEW: usize = 3;
     let Some(probe) = evidence.probe(PROBE) else {
@@ -34,41 +38,51 @@ pub fn both(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     slips.sort_by_key(|slip| (slip.is_of_a_value(), slip.rank));
     let Some(first) = slips.first() else { return };
     let few = [0, evidence.wrong / 2, evidence.wrong - 1];
-    let lengths = few.map(|k| first.length(&evidence.items[k].question));
+    let question = |k: usize| &evidence.items[k].question;
+    let lengths = few.map(|k| first.length(question(k)));
     let length = lengths.into_iter().max().unwrap_or_default().max(1);
-    slips.truncate((2 * STEPS / length).isqrt());
-    let of_both = |one: &Slipped, other: &Slipped, k: usize| {
-        let answer = one.answer_with(other, &evidence.items[k].question)?;
-        Some(answer).filter(|answer| !answer.iter().any(|v| v.is_nan()))
+    let mut consider = |names: [(&str, &str); 2], rank, answer: Answer<'_>| {
+        let answer = |k: usize| answer(k).filter(|answer| !answer.iter().any(|v| v.is_nan()));
+        let explains = |k: &usize| answer(*k).is_some_and(|answer| evidence.explains(*k, &answer));
+        if !few.iter().all(explains) {
+            return;
+        }
+        let answers: Answers = (0..evidence.items.len()).map(answer).collect();
+        let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+            return;
+        };
+        let [(name, hint), then] = names.map(|(name, hint)| (name.to_owned(), hint.to_owned()));
+        let pair = Found {
+            name,
+            hint,
+            then: Some(then),
+            rival: None,
+            rank: 60 + rank,
+            fitted: 0,
+            score,
+            answers,
+        };
+        // In a few cases another way around a division by 0 decides.
+        if score.contradicted == 0 && pair.is_nearly_complete() {
+            found.push(pair);
+        }
     };
+    let asked = evidence.examiner.asked().question;
+    let common: Vec<_> = readings.iter().filter(|r| r.rank <= COMMON).collect();
+    let most = STEPS / (length * common.len().max(1));
+    for slip in slips.iter().take(most) {
+        for reading in &common {
+            let answer = |k: usize| slip.answer(&reading.read_or_not(asked, question(k)));
+            let names = [(&*reading.name, &*reading.hint), (&*slip.name, &*slip.hint)];
+            consider(names, reading.rank + slip.rank, &answer);
+        }
+    }
+    slips.truncate((2 * STEPS / length).isqrt());
     for (i, one) in slips.iter().enumerate() {
         for other in slips[..i].iter().filter(|other| one.goes_with(other)) {
-            let explains = |k: &usize| {
-                of_both(one, other, *k).is_some_and(|answer| evidence.explains(*k, &answer))
-            };
-            if !few.iter().all(explains) {
-                continue;
-            }
-            let answers: Answers = (0..evidence.items.len())
-                .map(|k| of_both(one, other, k))
-                .collect();
-            let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
-                continue;
-            };
-            let pair = Found {
-                name: other.name.clone(),
-                hint: other.hint.clone(),
-                then: Some((one.name.clone(), one.hint.clone())),
-                rival: None,
-                rank: 60 + one.rank + other.rank,
-                fitted: 0,
-                score,
-                answers,
-            };
-            // In a few cases another way around a division by 0 decides.
-            if score.contradicted == 0 && pair.is_nearly_complete() {
-                found.push(pair);
-            }
+            let names = [other, one].map(|slip| (&*slip.name, &*slip.hint));
+            let answer = |k: usize| one.answer_with(other, question(k));
+            consider(names, one.rank + other.rank, &answer);
         }
     }
 }
@@ -179,7 +193,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
     let of_mistake =
         |i: usize, question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
     let of_reading = |reading: &Misreading, question: &[f64]| {
-        called(asked, &reading.read(asked.question, question)?)
+        called(asked, &reading.read_or_not(asked.question, question))
     };
     let mut firsts: Vec<(
         String,
@@ -275,7 +289,8 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
     common.sort_by_key(|reading| reading.rank);
     for (k, reading) in common.iter().enumerate() {
         for (i, (name, hint)) in mistakes.iter().enumerate() {
-            let answer = |question: &[f64]| of_mistake(i, &reading.read(asked.question, question)?);
+            let answer =
+                |question: &[f64]| of_mistake(i, &reading.read_or_not(asked.question, question));
             twice(
                 (name, hint),
                 (&reading.name, &reading.hint),
@@ -284,8 +299,9 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
             );
         }
         for other in common[..k.min(PAIRS)].iter().filter(|_| k < PAIRS) {
-            let answer =
-                |question: &[f64]| of_reading(reading, &other.read(asked.question, question)?);
+            let answer = |question: &[f64]| {
+                of_reading(reading, &other.read_or_not(asked.question, question))
+            };
             twice(
                 (&other.name, &other.hint),
                 (&reading.name, &reading.hint),

@@ -23,7 +23,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
         composed(evidence, &mut found);
         // One slip that explains all but a few answers, which rounding decides, is simpler than two.
         if !found.iter().any(Found::is_nearly_the_one) {
-            both(evidence, &mut found);
+            both(evidence, readings, &mut found);
         }
     }
     found.retain(Found::holds);

@@ -1,6 +1,6 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
-use super::function::{camera, diagnosed};
+use super::function::{camera, diagnosed, right};
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Beside, Diagnosis};
 
@@ -101,4 +101,54 @@ fn who_counts_from_1_and_forgets_the_limit_is_told_both_though_the_second_shows_
     let [first, second] = together(&found);
     assert_eq!(first, "counts shape from 1 instead of 0: one too much");
     assert!(second.contains("255"), "{second}");
+}
+
+#[test]
+fn who_takes_the_near_root_only_and_counts_the_ends_is_told_both() {
+    let found = diagnosed("sphere_hit", |q| {
+        let (from, d, radius) = (minus(&q[..3], &q[8..11]), &q[3..6], q[11]);
+        let b = dot(&from, d);
+        let t = -b - (b * b - dot(&from, &from) + radius * radius).sqrt();
+        let counts = q[6] <= t && t <= q[7];
+        Some(if counts { vec![1.0, t] } else { vec![0.0] })
+    });
+    let both = [
+        "gives up when the near root does not count",
+        "takes both ends of within to be inside the interval",
+    ];
+    assert_eq!(names(&found), both);
+    assert!(!found.certain, "a question may be misread in many ways");
+}
+
+#[test]
+fn a_question_that_most_cases_do_not_show_to_be_misread_is_told_after_the_mistake_that_all_show() {
+    // In most cases the end of the interval is infinite.
+    let found = diagnosed("grid_walk", |q| {
+        let mut question = q.to_vec();
+        let end = question.len() - 1;
+        question[end] = f64::INFINITY;
+        let mut visits = right("grid_walk", &question);
+        if visits[0] > 0.0 {
+            visits[0] -= 1.0;
+            visits.drain(1..5);
+        }
+        Some(visits)
+    });
+    assert_eq!(
+        together(&found),
+        ["skips the first cell", "ignores within.max"]
+    );
+}
+
+#[test]
+fn a_question_that_is_misread_and_a_step_that_goes_wrong_are_told_together() {
+    let found = diagnosed("interpolate_texture", |q| {
+        let (b1, b2) = (q[6], q[7]);
+        let weights = [b1 + b2, b2, b1];
+        let along = |axis: usize| (0..3).map(|i| weights[i] * q[2 * i + axis]).sum();
+        Some(vec![along(0), along(1)])
+    });
+    let [first, second] = together(&found);
+    assert_eq!(first, "exchanges t1 and t2");
+    assert!(second.contains("b₀ = 1 − b₁ − b₂"), "{second}");
 }

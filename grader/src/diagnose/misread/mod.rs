@@ -131,6 +131,12 @@ impl Misreading {
         };
         (read != question && self.positive.iter().all(sound)).then_some(read)
     }
+
+    /// The question as it was misread, or as it is where that changes nothing.
+    pub fn read_or_not(&self, kind: &Kind, question: &[f64]) -> Vec<f64> {
+        self.read(kind, question)
+            .unwrap_or_else(|| question.to_vec())
+    }
 }
 
 /// Changes two parts together: element by element if they are in a list.

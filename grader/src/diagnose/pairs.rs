@@ -257,6 +257,10 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
             }
         }
     }
+    // Who draws numbers of his own has other answers than any pair.
+    if !evidence.is_judged() {
+        return;
+    }
     let mut twice = |name: (&str, &str),
                      then: (&str, &str),
                      rank,

@@ -9,13 +9,12 @@ use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::showroom;
-use crate::shared::showroom::{Look, Showroom};
+use crate::shared::showroom::{FLAT, Look, NORMALS, SMOOTH, Showroom, TEXTURE};
 use clap::Args;
-use glam::vec2;
-use raybook::accel::{Accel, Meshed, Tests, list::List};
-use raybook::image::{Image, rgb::Rgb};
+use raybook::accel::{Accel, Meshed, Tests, list::List, wide_bvh::WideBvh};
+use raybook::image::Image;
 use raybook::math::{interval::Interval, ray::Ray, slab};
-use raybook::render::film::{Film, place_in_pixel};
+use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Hit, Shape, teapot};
 use std::error::Error;
@@ -51,7 +50,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if !stage.wants("tessellation") {
         return Ok(());
     }
-    let tile = |n| picture(&film, &teapot::mesh(n), showroom::SMOOTH).0;
+    let tile = |n| {
+        let [smooth] = looks(&film, &teapot::mesh(n), [SMOOTH]);
+        smooth
+    };
     let tiles = [
         ("2 × 2 per patch", tile(2)),
         ("3 × 3", tile(3)),
@@ -76,10 +78,10 @@ fn warn_of_long_search(film: &Film, mesh: &Mesh) {
 }
 
 /// Draws any mesh. Returns the film of the small pictures, for further sheets.
-fn draw_mesh<'a>(stage: &Stage, film: &Film<'a>, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
+fn draw_mesh<'a>(stage: &'a Stage, film: &Film, mesh: &Mesh) -> Result<Film<'a>, Box<dyn Error>> {
     let triangles = mesh.triangles().len();
     if stage.wants("picture") {
-        let (main, tests) = picture(film, mesh, showroom::SMOOTH);
+        let (main, tests) = picture(film, mesh);
         let caption = format!(
             "A mesh of {triangles} triangles. Every ray that meets the mesh's box is tested against all triangles: {} million tests.",
             tests / 1_000_000
@@ -92,9 +94,10 @@ fn draw_mesh<'a>(stage: &Stage, film: &Film<'a>, mesh: &Mesh) -> Result<Film<'a>
         "these normals as colours",
         "texture coordinates",
     ];
-    let film = showroom::small(film);
+    let film = showroom::small(&stage.film_of(900, 16, film.aspect()));
     if stage.wants("attributes") {
-        let tiles: Vec<_> = names.into_iter().zip(attributes(&film, mesh)).collect();
+        let looks = looks(&film, mesh, [FLAT, SMOOTH, NORMALS, TEXTURE]);
+        let tiles: Vec<_> = names.into_iter().zip(looks).collect();
         let caption = "The same triangles four times: with the normal of each triangle, with interpolated vertex normals, with these normals as colours, and with a checkerboard on the texture coordinates.";
         stage.figure("attributes", caption, &sheet(2, &tiles)?)?;
     }
@@ -102,7 +105,7 @@ fn draw_mesh<'a>(stage: &Stage, film: &Film<'a>, mesh: &Mesh) -> Result<Film<'a>
 }
 
 /// The picture of a mesh, and how many triangles were tested for it.
-fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
+fn picture(film: &Film, mesh: &Mesh) -> (Image, u64) {
     let room = Showroom::around(mesh, film.aspect());
     let shape = Meshed::new(mesh.clone(), List::new);
     let tests = AtomicU64::new(0);
@@ -112,7 +115,7 @@ fn picture(film: &Film, mesh: &Mesh, look: Look) -> (Image, u64) {
         let hit = nearest(&shape, &ray, &mut count);
         tests.fetch_add(count.shapes, Ordering::Relaxed);
         match hit {
-            Some(hit) => look(&ray, &hit, &shape.surface(&ray, &hit)),
+            Some(hit) => SMOOTH(&ray, &hit, &shape.surface(&ray, &hit)),
             None => room.backdrop(place, &ray),
         }
     });
@@ -126,32 +129,19 @@ fn nearest(shape: &Meshed<List<Facet>>, ray: &Ray, count: &mut Tests) -> Option<
     closest.map(|(_, hit)| hit)
 }
 
-/// Four pictures of the same hits: the mesh is searched once for all four.
-fn attributes(film: &Film, mesh: &Mesh) -> [Image; 4] {
-    use showroom::{FLAT, NORMALS, SMOOTH, TEXTURE};
+/// A picture of a mesh in each of these looks. They are the same with any structure; the fastest one leaves time
+/// for many samples.
+fn looks<const N: usize>(film: &Film, mesh: &Mesh, looks: [Look; N]) -> [Image; N] {
     let room = Showroom::around(mesh, film.aspect());
-    let shape = Meshed::new(mesh.clone(), List::new);
-    let size = vec2(film.width as f32, film.height as f32);
-    let pixels = film.each_pixel(&|x, y, rng| {
-        let places = place_in_pixel(film.samples, rng);
-        let mut sums = [Rgb::BLACK; 4];
-        for i in 0..film.samples {
-            let place = (vec2(x as f32, y as f32) + places(i)) / size;
+    let shape = Meshed::new(mesh.clone(), WideBvh::new);
+    looks.map(|look| {
+        film.refine(|place, _| {
             let ray = room.ray(place);
-            let seen = match nearest(&shape, &ray, &mut Tests::default()) {
-                Some(hit) => {
-                    let at = shape.surface(&ray, &hit);
-                    [FLAT, SMOOTH, NORMALS, TEXTURE].map(|look| look(&ray, &hit, &at))
-                }
-                None => [room.backdrop(place, &ray); 4],
-            };
-            sums = std::array::from_fn(|look| sums[look] + seen[look]);
-        }
-        (sums.map(|sum| sum / film.samples as f32), 0)
-    });
-    [0, 1, 2, 3].map(|look| {
-        let pixel = |x: usize, y: usize| pixels[y * film.width + x][look];
-        Image::from_fn(film.width, film.height, pixel)
+            match shape.hit(&ray, Interval::AHEAD) {
+                Some(hit) => look(&ray, &hit, &shape.surface(&ray, &hit)),
+                None => room.backdrop(place, &ray),
+            }
+        })
     })
 }
 

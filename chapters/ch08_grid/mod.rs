@@ -90,7 +90,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         pass through them.";
     stage.diagram("walk", caption, &walk_figure::diagram()?)?;
 
-    let small = showroom::small(&film);
+    let small = showroom::small(&stage.film_of(800, 8, 1.6));
     if stage.wants("heat") {
         let heat = heat::heat(&small, |place| camera.ray(place, Vec2::ZERO), &grid);
         let caption = "What each ray of the picture costs. A ray visits many cells, and most of them are empty. The triangle tests come at the end, around the hit.";

@@ -22,7 +22,7 @@ use plotters::style::Color;
 use raybook::accel::Accel;
 use raybook::accel::octree::{Octree, build::Limits, reach::by_triangle};
 use raybook::image::Image;
-use raybook::math::interval::Interval;
+use raybook::math::{aabb::Aabb, interval::Interval};
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{cuboid::Cuboid, teapot};
@@ -76,15 +76,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             cuts.join(", ")
         );
         let (cells, kept) = blocks::dissolving(&mesh, &fine);
-        stage.picture("picture", &caption, &photograph(&film, &mesh, cells, kept))?;
+        let room = Showroom::around(&mesh, film.aspect());
+        stage.picture(
+            "picture",
+            &caption,
+            &photograph(&film, &room, &mesh, cells, kept),
+        )?;
     }
 
+    let tile = small(&stage.film_of(800, 8, 1.6));
     if stage.wants("levels") {
         let deepest = knobs.depth.min(6);
+        let cells = |depth| blocks::cells(&fine, |_| depth);
+        let largest = cells(deepest - 3);
+        let shown = largest.iter().map(|cell| cell.bounds);
+        let shown = shown.fold(Aabb::EMPTY, |all, cell| all.union(&cell));
+        let room = Showroom::around_box(&mesh, &shown, tile.aspect());
         let tiles = [3, 2, 1, 0].map(|up| deepest - up).map(|depth| {
-            let cells = blocks::cells(&fine, |_| depth);
+            let cells = cells(depth);
             let name = format!("{depth} cuts: {} cells", cells.len());
-            (name, photograph(&small(&film), &mesh, cells, Vec::new()))
+            let tile = photograph(&tile, &room, &mesh, cells, Vec::new());
+            (name, tile)
         });
         let caption = "The cells that are not empty, level by level. A surface goes through about four of a small cell's eight children: then each level has about four times as many cells as the level above.";
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
@@ -95,15 +107,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
 
     if stage.wants("heat") {
-        let room = Showroom::around(&mesh, film.aspect());
-        let film = small(&film);
-        let speed = rays_a_second(&film, |place| room.ray(place), &octree);
+        let room = Showroom::around(&mesh, tile.aspect());
+        let speed = rays_a_second(&tile, |place| room.ray(place), &octree);
         let caption = format!(
             "What each pixel's ray costs with an octree of {} triangles: nodes visited on the left, triangles tested on the right. \
             One thread of this machine answers {speed}.",
             mesh.triangles().len()
         );
-        let map = heat(&film, |place| room.ray(place), &octree);
+        let map = heat(&tile, |place| room.ray(place), &octree);
         stage.figure("heat", &caption, &map.figure("nodes visited")?)?;
     }
     if !stage.wants("law") {
@@ -116,8 +127,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 ///
 /// An octree over the facets and an octree over the blocks find the nearest hits; a facet that is hit shortens the ray for the
 /// blocks.
-fn photograph(film: &Film, mesh: &Mesh, blocks: Vec<Cuboid>, kept: Vec<Facet>) -> Image {
-    let room = Showroom::around(mesh, film.aspect());
+fn photograph(
+    film: &Film,
+    room: &Showroom,
+    mesh: &Mesh,
+    blocks: Vec<Cuboid>,
+    kept: Vec<Facet>,
+) -> Image {
     let (blocks, kept) = (Octree::new(blocks), Octree::of_facets(kept));
     film.refine(|place, _| {
         let ray = room.ray(place);
@@ -139,7 +155,7 @@ fn draw_law(stage: &Stage) -> Drawn {
     let [a, b] = fit(&nodes);
     let law = nodes.iter().map(|&(n, _)| (n, a + b * n.log10()));
     let mut chart = Chart::new(
-        Axis::log(100.0..100_000.0)
+        Axis::log(80.0..125_000.0)
             .named("N: triangles")
             .format(grouped),
         Axis::linear(0.0..1.25 * nodes[6].1)

@@ -18,7 +18,7 @@ use crate::kit::knobs;
 use crate::kit::numbers::grouped;
 use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
-use crate::shared::{growth, heat, outdoors::sky, showroom, showroom::Showroom, speeds};
+use crate::shared::{growth, heat, outdoors::sky_above, showroom, showroom::Showroom, speeds};
 use builders::Builder;
 use clap::Args;
 use glam::{Vec2, Vec3, vec3};
@@ -100,7 +100,7 @@ fn draw_mountains(film: &Film, stage: &Stage, building: Building) -> Drawn {
     let picture = film.refine(|place, _| {
         let ray = camera.ray(place, Vec2::ZERO);
         let Some((_, hit)) = tree.closest(&ray, AHEAD) else {
-            return sky(ray.direction);
+            return sky_above(mountains::AIR_ENDS, ray.direction);
         };
         let at = mesh.surface(&ray, &hit);
         let faces_sun = at.shading_normal.dot(*sun) > 0.0;
@@ -137,6 +137,7 @@ fn draw_teapot(
             "The boxes of some levels of the teapot's tree, built by the method “{}”. The deeper the level, the closer the boxes follow the shape of the teapot.",
             knobs::word(&method)
         );
+        let room = Showroom::around_box(mesh, &mesh.bounds(), film.aspect());
         let figure = tree_levels::figure(film, &room, &tree, &[2, 5, 8, 11])?;
         stage.figure("levels", &caption, &figure)?;
     }

@@ -9,6 +9,9 @@ use raybook::shape::Surface;
 /// Metres of air in front of the mountains for each metre of the model.
 const METRES: f32 = 1.8;
 
+/// The y of the direction in which the air ends: behind the mountains, which stand before the horizon.
+pub(super) const AIR_ENDS: f32 = -0.16;
+
 /// Where the evening sun stands.
 pub(super) fn toward_sun() -> Dir3 {
     Dir3::new_or(vec3(0.80, 0.42, 0.10), Dir3::Y)

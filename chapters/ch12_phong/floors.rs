@@ -4,10 +4,10 @@ use super::bench::{CLAY, glossy, matte};
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, directional::DirectionalLight, point::PointLight};
-use raybook::material::{Material, checkered::Checkered, phong::Phong};
+use raybook::material::{Material, phong::Phong, texture::Texture};
 use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{plane::Plane, sphere::Sphere};
+use raybook::shape::{Surface, plane::Plane, sphere::Sphere};
 use std::f32::consts::PI;
 
 /// The light of a lamp, before its strength.
@@ -34,8 +34,7 @@ pub(super) fn under_sun() -> Scene {
 
 /// Balls on tiles under a light, and further things.
 fn on_tiles(light: Box<dyn Light>, mut things: Vec<Thing>) -> Scene {
-    let tiles = Checkered(matte(Rgb::gray(0.75)), matte(Rgb::new(0.10, 0.32, 0.42)));
-    things.push(floor(tiles));
+    things.push(floor(Tiles));
     for (x, z) in [(-1.9, 0.0), (1.2, -1.6), (1.5, 1.4)] {
         let ball = Sphere::new(vec3(x, 0.5, z), 0.5);
         things.push(Thing::new(ball, glossy(CLAY, 64.0)));
@@ -65,6 +64,25 @@ pub(super) fn wet<M: Material + 'static>(exponent: f32, model: impl FnOnce(Phong
     let mut things = vec![floor(model(asphalt))];
     things.extend(lamps.map(|(position, colour)| bulb(position, colour)));
     Scene::new(things, lights.into()).surrounded_by(Rgb::gray(0.12), dusk)
+}
+
+/// Light and dark tiles. Their colour is the mean over the width that a sample covers: far tiles melt into one colour.
+struct Tiles;
+
+impl Texture for Tiles {
+    type Material = Phong;
+
+    fn at(&self, surface: &Surface) -> Phong {
+        let wave = |x| square_wave(x, surface.texture_width.max(1e-3));
+        let dark = 0.5 - 0.5 * wave(surface.texture.x) * wave(surface.texture.y);
+        matte(Rgb::gray(0.75).lerp(Rgb::new(0.10, 0.32, 0.42), dark))
+    }
+}
+
+/// The mean, over a width around x, of the wave that is 1 from 0 to 1, −1 from 1 to 2, and so on.
+fn square_wave(x: f32, width: f32) -> f32 {
+    let integral = |x: f32| 1.0 - (2.0 * (0.5 * x).rem_euclid(1.0) - 1.0).abs();
+    (integral(x + 0.5 * width) - integral(x - 0.5 * width)) / width
 }
 
 fn floor(material: impl Material + 'static) -> Thing {

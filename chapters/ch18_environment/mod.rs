@@ -94,7 +94,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("metals") {
-        let film = stage.film_of(440, 8, 4.0 / 3.0);
+        let film = stage.film_of(520, 8, 4.0 / 3.0);
         let light = Box::new(Environment::new(studio.clone()));
         let metals = metals::draw(&film, light, knobs.roughness)?;
         let caption = format!(

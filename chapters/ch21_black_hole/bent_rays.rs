@@ -1,10 +1,12 @@
 //! The figure of rays that pass a black hole at many distances.
 
-use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, text, write};
+use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
 use crate::kit::palette::{BLUE, INK, VERMILION};
+use crate::kit::simplified::simplified;
+use crate::kit::sketch::label;
 use crate::kit::stage::Drawn;
 use glam::{DVec2, DVec3, dvec2, dvec3};
-use plotters::element::{Circle, PathElement, Rectangle};
+use plotters::element::{Circle, PathElement};
 use plotters::prelude::{Color, WHITE};
 use raybook::render::curved::follow::{Fate, follow};
 use raybook::render::curved::geodesic::{between, geodesic_step};
@@ -41,20 +43,14 @@ pub(super) fn draw() -> Figure {
         }
         // The ray that goes around the hole: a hair outside the critical impact parameter.
         ray(canvas, 2.5981)?;
-        let centre = pixel(DVec3::ZERO);
+        let centre = pixel(MIDDLE);
         let radius = |r: f64| (SCALE * r) as i32;
         canvas.draw(&Circle::new(centre, radius(HORIZON), INK.filled()))?;
         let sphere = Circle::new(centre, radius(PHOTON_SPHERE), INK.stroke_width(3));
         canvas.draw(&sphere)?;
         write(canvas, "horizon", centre, coloured(33, WHITE).pos(CENTRE))?;
-        let beside = (centre.0 + radius(2.9), centre.1);
-        let [wide, high] = [130, 26];
-        let corners = [
-            (beside.0 - wide, beside.1 - high),
-            (beside.0 + wide, beside.1 + high),
-        ];
-        canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
-        write(canvas, "photon sphere", beside, text(33).pos(CENTRE))
+        let beside = MIDDLE + SCALE * dvec2(2.95, 0.0);
+        label(canvas, beside.as_vec2(), "photon sphere", INK)
     })
 }
 
@@ -82,13 +78,17 @@ fn ray(canvas: &Canvas, b: f64) -> Drawn {
     };
     // What is outside would be drawn along the edge.
     let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
-    let mut points: Vec<_> = points.into_iter().filter(inside).map(pixel).collect();
-    points.dedup_by_key(|&mut (x, y)| (x / 4, y / 4)); // closer ones say nothing new
-    canvas.draw(&PathElement::new(points, colour.stroke_width(3)))?;
+    let points: Vec<_> = points.into_iter().filter(inside).map(on_canvas).collect();
+    let corners: Vec<_> = simplified(&points).into_iter().map(pixel).collect();
+    canvas.draw(&PathElement::new(corners, colour.stroke_width(3)))?;
     Ok(())
 }
 
-fn pixel(p: DVec3) -> (i32, i32) {
-    let at = MIDDLE + SCALE * dvec2(p.x, -p.y);
+/// A point's place on the canvas.
+fn on_canvas(p: DVec3) -> DVec2 {
+    MIDDLE + SCALE * dvec2(p.x, -p.y)
+}
+
+fn pixel(at: DVec2) -> (i32, i32) {
     (at.x.round() as i32, at.y.round() as i32)
 }

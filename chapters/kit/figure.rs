@@ -120,6 +120,16 @@ pub fn coloured(size: impl Into<f64>, colour: RGBColor) -> Style {
     (FONT, size.into()).into_font().color(&colour)
 }
 
+/// Width of words whose letters have this height, both in pixels of the canvas.
+///
+/// # Errors
+/// If plotters cannot read its font.
+pub fn text_width(words: &str, size: f64) -> Result<f64, Box<dyn Error>> {
+    register_font();
+    let (width, _) = text(size).font.box_size(words)?;
+    Ok(f64::from(width))
+}
+
 /// Writes words at a place of a canvas.
 ///
 /// # Errors

@@ -19,6 +19,7 @@ pub mod plate;
 pub mod rate;
 pub mod say;
 pub mod sheet;
+pub mod simplified;
 pub mod sketch;
 pub mod stage;
 pub mod terminal;

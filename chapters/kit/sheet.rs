@@ -1,6 +1,6 @@
 //! A contact sheet: pictures side by side, each with its caption.
 
-use crate::kit::figure::{CENTRE, figure, text, write};
+use crate::kit::figure::{CENTRE, SCALE, figure, text, text_width, write};
 use raybook::image::{Image, rgb::Rgb};
 use std::error::Error;
 
@@ -29,24 +29,34 @@ pub fn sheet(columns: usize, tiles: &[(impl AsRef<str>, Image)]) -> Sheet {
     let rows = tiles.len().div_ceil(columns);
     let band = (columns * width / 36).max(rows * height / 21).clamp(20, 60);
     let (across, down) = (width + GAP, band + height + GAP);
+    // All captions have one size, and leave some white between them.
+    let size = 0.66 * (SCALE as usize * band) as f64;
+    let room = 0.92 * (SCALE as usize * width) as f64;
+    let mut widest = room;
+    for (words, _) in tiles {
+        widest = text_width(words.as_ref(), size)?.max(widest);
+    }
+    let size = size * room / widest;
     let mut whole = Image::from_fn(columns * across + GAP, rows * down + GAP, |_, _| Rgb::WHITE);
-    for (i, (text, tile)) in tiles.iter().enumerate() {
+    for (i, (words, tile)) in tiles.iter().enumerate() {
         let (left, top) = (GAP + i % columns * across, GAP / 2 + i / columns * down);
-        paste(&mut whole, &caption(text.as_ref(), width, band)?, left, top);
+        paste(
+            &mut whole,
+            &caption(words.as_ref(), width, band, size)?,
+            left,
+            top,
+        );
         paste(&mut whole, tile, left, top + band);
     }
     Ok(whole)
 }
 
-/// A strip of white with a line of text in the middle.
-fn caption(words: &str, width: usize, height: usize) -> Sheet {
+/// A strip of white with a line of text in the middle, whose letters have this size in pixels of the canvas.
+fn caption(words: &str, width: usize, height: usize, size: f64) -> Sheet {
     let strip = figure(width as u32, height as u32, |canvas| {
         let (wide, high) = canvas.dim_in_pixel();
         let middle = (wide as i32 / 2, high as i32 / 2);
-        let size = 0.66 * f64::from(high);
-        let (needed, _) = canvas.estimate_text_size(words, &text(size))?;
-        let fitting = size * (f64::from(wide) / f64::from(needed.max(1))).min(1.0);
-        write(canvas, words, middle, text(fitting).pos(CENTRE))
+        write(canvas, words, middle, text(size).pos(CENTRE))
     })?;
     Ok(strip.pixels)
 }

@@ -54,7 +54,7 @@ impl Sketch<'_, '_> {
     /// As for [`Sketch::line`].
     pub fn dashes(&self, from: Vec3, to: Vec3, colour: RGBColor, width: u32) -> Drawn {
         /// Length of a dash and of a gap, in pixels.
-        const DASH: f32 = 9.0;
+        const DASH: f32 = 18.0;
         let pieces = (self.at(from).distance(self.at(to)) / DASH).max(1.0) as usize | 1;
         let place = |i: usize| from.lerp(to, i as f32 / pieces as f32);
         (0..pieces)

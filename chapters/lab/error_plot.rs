@@ -117,9 +117,6 @@ impl Plot for ErrorPlot {
         let samples = Axis::log2(left..end).named("samples").marks(&marks);
         let errors = Axis::log(bottom..top).named("error").format(power_of_ten);
         let mut chart = Chart::new(samples, errors).titled(&self.title).text(30);
-        for (_, ends, _) in self.guides() {
-            chart.dashes(ends, FAINT.stroke_width(3));
-        }
         for (i, curve) in self.curves.iter().enumerate() {
             let low = |e: &Error| (e.n as f64, e.low.max(bottom));
             let high = |e: &Error| (e.n as f64, e.high.max(bottom));
@@ -140,8 +137,9 @@ impl Plot for ErrorPlot {
             let inside = curve.errors.iter().filter(|e| e.median >= bottom);
             chart.curve(inside.map(|e| (e.n as f64, e.median)), curve.pen);
         }
-        // Curves do not cover the names.
-        for (name, _, below) in self.guides() {
+        // Curves do not cover the guides.
+        for (name, ends, below) in self.guides() {
+            chart.dashes(ends, INK.mix(0.6).stroke_width(2));
             chart.label(CENTRE, below, name, INK);
         }
         let entries = self.entries();

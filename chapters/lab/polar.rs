@@ -117,6 +117,11 @@ impl Polar {
         (step, (largest / step).ceil().max(1.0))
     }
 
+    /// The error from ring to ring, in words.
+    pub fn per_ring(&self) -> String {
+        format!("{} per ring", written(self.rings().0))
+    }
+
     /// Where an error at an angle is.
     fn place(&self, dial: Dial, error: f64, angle: f64) -> (i32, i32) {
         let (step, rings) = self.rings();
@@ -169,24 +174,22 @@ impl Polar {
         Ok(())
     }
 
-    /// The numbers on the rings, and small edges outside of them, as they pass through a pixel there.
+    /// The number of the outermost ring, where there are no curves, and small edges outside of it, as they pass through a pixel there.
     fn labels<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
     where
         B::ErrorType: 'static,
     {
         let (step, rings) = self.rings();
-        for ring in 1..=rings as i32 {
-            let error = f64::from(ring) * step;
-            let at = self.place(dial, error, 0.31 * PI);
-            let digits = if step < 0.01 { 3 } else { 2 };
-            let words = format!("{error:.digits$}");
-            let height = LETTERS * dial.radius;
-            // The number must be legible, even where it covers curves.
-            let half = [0.3 * height * words.len() as f64, 0.5 * height].map(|half| half as i32);
-            let corners = [-1, 1].map(|side| (at.0 + side * half[0], at.1 + side * half[1]));
-            canvas.draw(&Rectangle::new(corners, WHITE.mix(0.8).filled()))?;
-            write(canvas, &words, at, text(height).pos(MIDDLE))?;
-        }
+        let (words, at) = (
+            written(rings * step),
+            self.place(dial, rings * step, 0.31 * PI),
+        );
+        let height = LETTERS * dial.radius;
+        // The ring itself does not cross its number.
+        let half = [0.3 * height * words.len() as f64, 0.5 * height].map(|half| half as i32);
+        let corners = [-1, 1].map(|side| (at.0 + side * half[0], at.1 + side * half[1]));
+        canvas.draw(&Rectangle::new(corners, WHITE.filled()))?;
+        write(canvas, &words, at, text(height).pos(MIDDLE))?;
         for spoke in 0..16 {
             let angle = PI * f64::from(spoke) / 8.0;
             let (sin, cos) = angle.sin_cos();
@@ -209,6 +212,11 @@ impl Polar {
     }
 }
 
+/// An error as a ring's number.
+fn written(error: f64) -> String {
+    (error as f32).to_string()
+}
+
 impl Plot for Polar {
     fn size(&self) -> (u32, u32) {
         let below = LEGEND.1 + legend::LINE * (self.curves.len() as i32 + 2);
@@ -224,6 +232,8 @@ impl Plot for Polar {
         let samples = if self.n == 1 { "sample" } else { "samples" };
         let heading = format!("RMS error, {} {samples}", self.n);
         write(canvas, &heading, (LEGEND.0, 46), text(32).pos(LEFT))?;
+        let below = (LEGEND.0, LEGEND.1 + legend::LINE / 2);
+        write(canvas, &self.per_ring(), below, text(30).pos(LEFT))?;
         let entry = |curve: &Curve| {
             let numbers = [curve.mean(), curve.worst()].map(|error| number(error, 4));
             (curve.pen, curve.title.clone(), numbers.to_vec())

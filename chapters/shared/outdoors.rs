@@ -13,7 +13,13 @@ const RANGE: f32 = 60.0;
 
 /// The sky in a direction: air at the horizon and below, blue above.
 pub fn sky(direction: Dir3) -> Rgb {
-    AIR.lerp(Rgb::new(0.12, 0.32, 0.68), direction.y.max(0.0).sqrt())
+    sky_above(0.0, direction)
+}
+
+/// The same, where the air ends at another height than the horizon's: at this y of a direction.
+pub fn sky_above(end: f32, direction: Dir3) -> Rgb {
+    let height = (direction.y - end).max(0.0);
+    AIR.lerp(Rgb::new(0.12, 0.32, 0.68), height.sqrt())
 }
 
 /// A colour behind t metres of air: e^(−t/60 m) of it is left, and the rest is air.

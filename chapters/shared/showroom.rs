@@ -21,13 +21,24 @@ pub struct Showroom {
 impl Showroom {
     /// A room in which the camera looks at a mesh from above its front (+z), far enough away to see all of it.
     pub fn around(mesh: &Mesh, aspect: f32) -> Self {
+        Self::before(mesh, mesh.positions().iter().copied(), FILL, aspect)
+    }
+
+    /// The same room from farther away: all of a box around the mesh is seen.
+    pub fn around_box(mesh: &Mesh, shown: &Aabb, aspect: f32) -> Self {
+        let corner = |i: u8| [1, 2, 4].map(|bit| f32::from(u8::from(i & bit > 0)));
+        let corners = (0..8).map(|i| shown.min + shown.size() * Vec3::from_array(corner(i)));
+        Self::before(mesh, corners, 0.95, aspect)
+    }
+
+    fn before(mesh: &Mesh, shown: impl Iterator<Item = Vec3>, fill: f32, aspect: f32) -> Self {
         let bounds = mesh.bounds();
         let from = vec3(0.35, 0.55, 1.3);
         let camera = Pinhole::look_at(from, Vec3::ZERO, Vec3::Y, 0.06, aspect)
             .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"));
         // A point at x across and z ahead of the centre is seen from the distance r if |x|/(r + z) is within the slope.
-        let slope = FILL * 0.5 * camera.plane / camera.focal_length;
-        let distances = mesh.positions().iter().map(|p| {
+        let slope = fill * 0.5 * camera.plane / camera.focal_length;
+        let distances = shown.map(|p| {
             let q = p - bounds.center();
             let across = vec2(q.dot(*camera.right), q.dot(*camera.up)).abs() / slope;
             across.max_element() - q.dot(*camera.forward)

@@ -27,7 +27,7 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     let tree = WideBvh::new(stadium.mesh.facets());
     // From afar, the lines of the field are thinner than a pixel.
     let fine = Film {
-        samples: 4 * film.samples,
+        samples: 2 * film.samples,
         ..*film
     };
     let shown = |camera: &Pinhole| {

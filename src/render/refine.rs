@@ -42,6 +42,8 @@ type Radiance<'a> = dyn Fn(Vec2, &mut Even) -> Followed + Sync + 'a;
 #[derive(Clone, Default)]
 struct Begun {
     samples: Gathered,
+    /// The mean of the displayed brightness.
+    mean: Rgb,
     /// The variance of the displayed brightness, of the channel with the largest variance.
     variance: f32,
 }
@@ -168,14 +170,28 @@ impl Begun {
         let variance = squares.sum::<Rgb>() / (n - 1.0).max(1.0);
         let variance = variance.max_channel().max(0.0); // a NaN does not count
         let (samples, rays) = Gathered::of(film, seen.iter().copied());
-        (Self { samples, variance }, rays)
+        let begun = Self {
+            samples,
+            mean,
+            variance,
+        };
+        (begun, rays)
     }
 }
 
-/// The root of the mean variance of a pixel and its neighbours, each variance around the pixel's own mean.
+/// The root of the mean variance of a pixel and its neighbours, each variance around the pixel's own mean, or of half of the variance
+/// of these means if that is larger: where an edge is near the border of pixels, all first samples may lie on one side of it. At
+/// most other edges the mean variance is larger than the half.
 fn deviation(film: &Film, begun: &[Begun], x: usize, y: usize) -> f32 {
-    let near = around([x, y], 1, [film.width, film.height]);
-    let variances = near.map(|[x, y]| begun[y * film.width + x].variance);
-    let (sum, pixels) = variances.fold((0.0, 0.0), |(sum, n), v| (sum + v, n + 1.0));
-    (sum / pixels).sqrt()
+    let (mut within, mut sum, mut squares, mut pixels) = (0.0, Rgb::BLACK, Rgb::BLACK, 0.0);
+    for [x, y] in around([x, y], 1, [film.width, film.height]) {
+        let Begun { mean, variance, .. } = begun[y * film.width + x];
+        within += variance;
+        sum += mean;
+        squares += mean * mean;
+        pixels += 1.0;
+    }
+    let mean = sum / pixels;
+    let between = (squares / pixels + mean * mean * -1.0).max_channel();
+    (within / pixels).max(0.5 * between).sqrt()
 }

@@ -177,7 +177,10 @@ impl Plot for Slide {
             }
         }
         for ((polar, n), dial) in self.polars.iter().zip(EDGES).zip(DIALS) {
-            let words = format!("RMS error by the edge's angle, {n} samples a pixel");
+            let words = format!(
+                "RMS error by the edge's angle, {n} samples, {}",
+                polar.per_ring()
+            );
             let above = dial.centre.1 - dial.radius as i32 - 106;
             let style = text(LETTERS).pos(CENTRE);
             write(canvas, &words, (dial.centre.0, above), style)?;

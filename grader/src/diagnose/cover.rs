@@ -4,7 +4,6 @@ use super::evidence::{Evidence, Score};
 use super::misread::Misreading;
 use super::search::misread;
 use super::{Beside, COMMON, Diagnosis};
-use crate::attempt::attempt;
 
 /// Mistakes that are told at once.
 const SEVERAL: usize = 3;
@@ -136,12 +135,7 @@ fn ones(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<One> {
         })
     };
     let own = examiner.mistakes().into_iter().enumerate();
-    let own = own.filter_map(|(i, (name, hint))| {
-        let answer = |k: usize| {
-            attempt(|| examiner.mistake_answers(i, &evidence.items[k].question)).flatten()
-        };
-        one(name, hint, 0, &answer)
-    });
+    let own = own.filter_map(|(i, (name, hint))| one(name, hint, 0, &|k| evidence.mistaken(i, k)));
     let common = readings.iter().filter(|reading| reading.rank <= COMMON);
     let read = common.filter_map(|reading| {
         let answer = |k: usize| misread(evidence, reading, k);

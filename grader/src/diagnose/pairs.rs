@@ -129,8 +129,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     }
     let mistakes = examiner.mistakes();
     let answers = |i: usize, of: &Evidence<'_>| -> Answers {
-        let answer = |question: &[f64]| attempt(|| examiner.mistake_answers(i, question)).flatten();
-        of.items.iter().map(|item| answer(&item.question)).collect()
+        (0..of.items.len()).map(|k| of.mistaken(i, k)).collect()
     };
     let few: Vec<_> = (0..mistakes.len()).map(|i| answers(i, &probe)).collect();
     let made = |of: &Evidence<'_>, one: &Answers, other: &Answers, together, k: usize| {

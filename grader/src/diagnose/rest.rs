@@ -8,7 +8,6 @@ use super::misread::Misreading;
 use super::pairs::{TOGETHER, of_two};
 use super::search::{golden, misread};
 use super::slips::{Slipped, fitted, slipped};
-use crate::attempt::attempt;
 
 /// The rank of a second mistake: what is told of both is never certain.
 const RANK: u32 = 44;
@@ -133,10 +132,7 @@ fn others(evidence: &Evidence<'_>, readings: &[Misreading], rest: &[usize]) -> V
             }
         };
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        let answer = |k: usize| {
-            attempt(|| examiner.mistake_answers(i, &evidence.items[k].question)).flatten()
-        };
-        consider(name, hint, 0, &answer);
+        consider(name, hint, 0, &|k| evidence.mistaken(i, k));
     }
     for reading in readings {
         let answer = |k: usize| misread(evidence, reading, k);

@@ -59,7 +59,7 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
 fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        let answer = |k: usize| examiner.mistake_answers(i, &evidence.items[k].question);
+        let answer = |k: usize| evidence.mistaken(i, k);
         let (name, hint) = (name.to_owned(), hint.to_owned());
         let one = Explanation {
             name,

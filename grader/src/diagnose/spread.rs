@@ -126,9 +126,8 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     };
     let mut found: Vec<(f64, u32, String, String)> = Vec::new();
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        found.extend(considered(0, name, hint, &|k| {
-            examiner.mistake_answers(i, &evidence.items[k].question)
-        }));
+        let answer = |k| evidence.mistaken(i, k);
+        found.extend(considered(0, name, hint, &answer));
     }
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
@@ -172,7 +171,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let given = || {
         let number = own(name)?;
         let gives = |k: &usize| {
-            let answer = examiner.mistake_answers(number, &evidence.items[*k].question);
+            let answer = evidence.mistaken(number, *k);
             answer.is_some_and(|answer| evidence.explains(*k, &answer))
         };
         let given = (0..evidence.wrong).filter(gives).count();
@@ -219,11 +218,11 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
 
 /// Whether right answers contradict an own mistake: what is much wrong in few answers has the mean of what is a little wrong in many.
 fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
-    let spoils = |item: &&Item| {
-        let answer = evidence.examiner.mistake_answers(number, &item.question);
-        answer.is_some_and(|answer| !evidence.is_right(item, &answer))
+    let spoils = |k: &usize| {
+        let answer = evidence.mistaken(number, *k);
+        answer.is_some_and(|answer| !evidence.is_right(&evidence.items[*k], &answer))
     };
-    let right = evidence.items[evidence.wrong..].iter();
+    let right = evidence.wrong..evidence.items.len();
     right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 

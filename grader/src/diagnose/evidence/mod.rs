@@ -6,11 +6,13 @@ mod form;
 
 pub use agreement::{Score, stretches};
 
+use crate::attempt::attempt;
 use crate::diagnose::slips::Tried;
 use crate::examine::{Case, Examiner};
 use crate::layout::{Layout, Part, layout, parts};
 use raybook_workbook::kind::Kind;
 use std::cell::RefCell;
+use std::collections::HashMap;
 use std::rc::Rc;
 
 /// What of the answers is looked at.
@@ -60,6 +62,9 @@ fn length(vector: &[f64]) -> f64 {
     vector.iter().map(|v| v * v).sum::<f64>().sqrt()
 }
 
+/// What the exercise's own mistakes answer, by their numbers and the case.
+type Mistaken = HashMap<(usize, usize), Option<Vec<f64>>>;
+
 /// All that is known.
 #[derive(Clone)]
 pub struct Evidence<'a> {
@@ -80,6 +85,7 @@ pub struct Evidence<'a> {
     judged: bool,
     /// What slips answer, which is the same for all parts of an answer.
     pub slips: Rc<RefCell<Tried>>,
+    mistaken: Rc<RefCell<Mistaken>>,
 }
 
 /// What an answer tells that holds nothing but yes, no, or a small whole number.
@@ -137,6 +143,7 @@ impl<'a> Evidence<'a> {
             free: false,
             judged: false,
             slips: Rc::default(),
+            mistaken: Rc::default(),
         };
         evidence.judged = evidence.judge_compares();
         evidence.free = evidence.order_is_free();
@@ -236,6 +243,17 @@ impl<'a> Evidence<'a> {
         prediction
     }
 
+    /// What an own mistake answers to an item's question, of which it is known once it was asked; none if it stops with an error.
+    pub fn mistaken(&self, mistake: usize, item: usize) -> Option<Vec<f64>> {
+        let item = &self.items[item];
+        let known = &mut *self.mistaken.borrow_mut();
+        let answer = || attempt(|| self.examiner.mistake_answers(mistake, &item.question));
+        known
+            .entry((mistake, item.case))
+            .or_insert_with(|| answer().flatten())
+            .clone()
+    }
+
     /// Whether answers are compared with the golden ones; those of others are judged by their traits.
     pub fn is_judged(&self) -> bool {
         self.judged
@@ -294,6 +312,7 @@ impl<'a> Evidence<'a> {
             free: self.free,
             judged: self.judged,
             slips: Rc::clone(&self.slips),
+            mistaken: Rc::clone(&self.mistaken),
         })
     }
 

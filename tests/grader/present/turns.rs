@@ -7,7 +7,7 @@ use std::time::Duration;
 
 #[test]
 fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_then() {
-    let server = Server::of_width("480");
+    let server = Server::of_width("960");
     let folder = server.out.path().join("ch07_mesh");
     thread::scope(|scope| {
         let last = scope.spawn(|| server.get("picture/ch07_mesh/tessellation"));

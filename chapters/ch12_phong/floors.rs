@@ -66,6 +66,9 @@ pub(super) fn wet<M: Material + 'static>(exponent: f32, model: impl FnOnce(Phong
     Scene::new(things, lights.into()).surrounded_by(Rgb::gray(0.12), dusk)
 }
 
+/// Minimum of the width of a tile's edge, in tiles, where a sample covers next to nothing.
+const SHARPEST: f32 = 1e-3;
+
 /// Light and dark tiles. Their colour is the mean over the width that a sample covers: far tiles melt into one colour.
 struct Tiles;
 
@@ -73,7 +76,7 @@ impl Texture for Tiles {
     type Material = Phong;
 
     fn at(&self, surface: &Surface) -> Phong {
-        let wave = |x| square_wave(x, surface.texture_width.max(1e-3));
+        let wave = |x| square_wave(x, surface.texture_width.max(SHARPEST));
         let dark = 0.5 - 0.5 * wave(surface.texture.x) * wave(surface.texture.y);
         matte(Rgb::gray(0.75).lerp(Rgb::new(0.10, 0.32, 0.42), dark))
     }

@@ -1,4 +1,4 @@
-//! Curves with few corners. A corner stands on a whole pixel, so many corners that are near each other make a curve wavy.
+//! Curves with few corners. The place of each corner is rounded to pixels, so that close corners make a curve wavy.
 
 use glam::DVec2;
 

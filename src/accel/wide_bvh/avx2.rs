@@ -200,7 +200,7 @@ pub(super) fn size(v: __m256) -> __m256 {
 }
 
 #[target_feature(enable = "avx2,fma")]
-#[inline(never)] // the loop over the nodes then has the registers for itself
+#[inline]
 fn triangles(leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck> {
     let seen = seen(leaf, ray);
     let [u, v, w] = seen.areas;

@@ -7,6 +7,7 @@ use std::time::Duration;
 
 #[test]
 fn a_chapter_that_is_drawn_for_good_rests_while_a_knob_is_followed_and_goes_on_then() {
+    // So wide that the rest of the chapter takes longer than the turn, on a busy machine too.
     let server = Server::of_width("960");
     let folder = server.out.path().join("ch07_mesh");
     thread::scope(|scope| {

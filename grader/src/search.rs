@@ -12,8 +12,8 @@ use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 pub const FLAWS: &[Flaw] = &[
     Flaw {
         complaint: "count each",
-        name: "does not count all of its work",
-        hint: "Is each test counted, a test that finds nothing too?",
+        name: "leaves out work that every search has to do, or does not count it",
+        hint: "Does the search go on until the next box begins behind the hit? And is each test counted, a test that finds nothing too?",
     },
     Flaw {
         complaint: "the hit is right, but",

@@ -53,5 +53,10 @@ impl Graded for RayAt {
             hint: "The line goes on behind the ray's origin: which point belongs to t = −2?",
             answer: |q| q.ray.at(q.t.max(0.0)),
         },
+        Mistake {
+            name: "takes the direction for a second point, and goes from the origin to it",
+            hint: "A direction already says from where to where: is there anything to subtract from it?",
+            answer: |q| q.ray.origin + q.t * (*q.ray.direction - q.ray.origin),
+        },
     ];
 }

@@ -75,5 +75,10 @@ impl Graded for Expose {
             hint: "Twice the light is twice the radiance of every channel: what becomes of black?",
             answer: |q| q.radiance + Rgb::gray(q.stops.exp2()),
         },
+        Mistake {
+            name: "takes √2 for the base of the power, as for f-numbers",
+            hint: "One stop more is twice the light; it is the aperture's diameter that grows by √2: by what factor does one stop change the light?",
+            answer: |q| q.radiance * (0.5 * q.stops).exp2(),
+        },
     ];
 }

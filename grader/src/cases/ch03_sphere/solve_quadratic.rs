@@ -201,6 +201,14 @@ impl Graded for SolveQuadratic {
             hint: "t² = 0 has a root: which one?",
             answer: |q| SolveQuadratic::answer(q).filter(|t| *t != Vec2::ZERO),
         },
+        Mistake {
+            name: "orders the roots as if a were positive",
+            hint: "Where a is negative, which of (−b − √…)/2a and (−b + √…)/2a is the smaller?",
+            answer: |q| {
+                let right = SolveQuadratic::answer(q);
+                right.map(|t| if q.a < 0.0 { vec2(t.y, t.x) } else { t })
+            },
+        },
     ];
 }
 

@@ -258,6 +258,15 @@ impl Graded for SphereHit {
                     .find(|t| q.within.contains(*t))
             },
         },
+        Mistake {
+            name: "takes the far root only where the ray begins inside the sphere",
+            hint: "The near root may lie before the interval although the ray begins outside: what about the far root then?",
+            answer: |q| {
+                let is_inside = q.ray.origin.distance(q.center) < q.radius;
+                let root = both(q).map(|t| if is_inside { t.y } else { t.x });
+                root.filter(|t| q.within.contains(*t))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

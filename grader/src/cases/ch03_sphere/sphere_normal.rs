@@ -55,5 +55,10 @@ impl Graded for SphereNormal {
             hint: "What does your language calculate first in p − c/r? Put parentheses round p − c.",
             answer: |q| q.p - q.center / q.radius,
         },
+        Mistake {
+            name: "divides by the point's distance from the world's origin, not from the centre",
+            hint: "How long is p − c, and how long is p? By which length must p − c be divided to get the length 1?",
+            answer: |q| (q.p - q.center) / q.p.length(),
+        },
     ];
 }

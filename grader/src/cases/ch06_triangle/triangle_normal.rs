@@ -69,5 +69,15 @@ impl Graded for TriangleNormal {
                 })
             },
         },
+        Mistake {
+            name: "turns the normal away from the world's origin",
+            hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
+            answer: |q| TriangleNormal::answer(q).map(|n| if n.dot(q.p0) < 0.0 { -n } else { n }),
+        },
+        Mistake {
+            name: "turns the normal toward the world's origin",
+            hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
+            answer: |q| TriangleNormal::answer(q).map(|n| if n.dot(q.p0) > 0.0 { -n } else { n }),
+        },
     ];
 }

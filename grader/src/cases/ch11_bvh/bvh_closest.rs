@@ -243,6 +243,18 @@ impl Graded for BvhClosest {
             hint: "Another triangle of the same leaf, or of a box that overlaps, may be nearer: when is the search over?",
             answer: |q| search(q, |how| (how.stops, how.stops_in_leaf) = (true, true)),
         },
+        Mistake {
+            name: "counts the nodes that are visited, not the boxes that are tested",
+            hint: "A branch is opened: how many boxes are tested then, and is the root's among them?",
+            answer: |q| {
+                let found = with_tree(q, |tree| search::search(tree, &node(q, 0), |_| {}));
+                BvhClosestAnswer {
+                    boxes: found.branches + found.leaves,
+                    tests: found.tests,
+                    hit: found.hit,
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -359,5 +359,18 @@ impl Graded for SahSplit {
                 })
             },
         },
+        Mistake {
+            name: "measures the boxes around the centres, not around the boxes",
+            hint: "A side's box must hold the whole of its members: does a box around their centres?",
+            answer: |q| {
+                cut_with(q, |_, sides| {
+                    let cost = |side: &Vec<u32>| {
+                        let centers = side.iter().map(|i| center(&q.boxes[*i as usize]));
+                        sah(&Aabb::of(centers), side.len() as f32)
+                    };
+                    cost(&sides[0]) + cost(&sides[1])
+                })
+            },
+        },
     ];
 }

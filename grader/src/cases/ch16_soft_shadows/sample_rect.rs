@@ -132,8 +132,8 @@ impl Graded for SampleRect {
             answer: |q| spoil_rect(q, |_, chosen| chosen.pdf / chosen.distance.powi(2)),
         },
         Mistake {
-            name: "does not square the distance",
-            hint: "Twice as far away, how much smaller does the light look?",
+            name: "does not square the distance, or takes the cosine with a vector that is not of length 1",
+            hint: "Twice as far away, how much smaller does the light look? And how long are both vectors of your cosine?",
             answer: |q| spoil_rect(q, |_, chosen| chosen.pdf / chosen.distance),
         },
         Mistake {
@@ -204,6 +204,15 @@ impl Graded for SampleRect {
                     chosen.arriving /= (q.n * q.n) as f32;
                 }
                 Some(all)
+            },
+        },
+        Mistake {
+            name: "takes the density at the light's middle for all samples",
+            hint: "Each sample has a distance and a cosine of its own: where in your loop is the density calculated?",
+            answer: |q| {
+                let way = q.corner + 0.5 * (q.a + q.b) - q.at;
+                let cosine = -way.dot(q.a.cross(q.b).normalize_or_zero()) / way.length();
+                spoil_rect(q, |_, _| way.length_squared() / (area(q) * cosine))
             },
         },
     ];

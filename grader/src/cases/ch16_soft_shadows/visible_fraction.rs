@@ -501,6 +501,21 @@ impl Graded for VisibleFraction {
                 })
             },
         },
+        Mistake {
+            name: "multiplies the fractions that each ball alone would leave",
+            hint: "A ball within the shadow of another takes no more light away: is a sample hidden twice?",
+            answer: |q| {
+                let alone = |balls: Vec<_>| Self::misread(q, |q| q.balls = balls);
+                let product = |all: Vec<f32>, ball: &_| {
+                    let one = alone(vec![Clone::clone(ball)]);
+                    all.into_iter()
+                        .zip(one)
+                        .map(|(all, one)| all * one)
+                        .collect()
+                };
+                q.balls.iter().fold(alone(Vec::new()), product)
+            },
+        },
     ];
 }
 

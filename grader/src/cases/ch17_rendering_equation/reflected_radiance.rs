@@ -408,5 +408,18 @@ impl Graded for ReflectedRadiance {
             hint: "Is p the density of the directions that you really chose?",
             answer: |q| estimated(q, |d| highlight(q, q.exponent, d) / both(q, d)),
         },
+        Mistake {
+            name: "takes the sky for black where it is more than 90° from its zenith",
+            hint: "The sky's formula holds for every angle from its zenith: is it 0 at 90°?",
+            answer: |q| {
+                under(q, |d| {
+                    if d.dot(*q.zenith) < 0.0 {
+                        Rgb::BLACK
+                    } else {
+                        q.sky(d)
+                    }
+                })
+            },
+        },
     ];
 }

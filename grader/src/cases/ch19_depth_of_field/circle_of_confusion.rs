@@ -84,8 +84,8 @@ impl Graded for CircleOfConfusion {
             answer: |q| 0.5 * Self::answer(q),
         },
         Mistake {
-            name: "exchanges the distance and the focus",
-            hint: "Which of the two distances says where the film is?",
+            name: "exchanges the distance and the focus, or divides by the film's distance instead of that at which the point is sharp",
+            hint: "Which of the two distances says where the film is? And where is the tip of the cone that is cut by the film?",
             answer: |q| {
                 // As a limit, which a star has too.
                 let sharp = (1.0 - q.focus / q.distance) / (1.0 - q.focal_length / q.distance);

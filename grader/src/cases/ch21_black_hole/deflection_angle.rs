@@ -68,8 +68,8 @@ impl Graded for DeflectionAngle {
             answer: |q| escapes(q).map(|b| 2.0 / b + 15.0 * PI / 16.0 / (b * b)),
         },
         Mistake {
-            name: "bends light half as much, as Newton would",
-            hint: "In 1919 an eclipse decided between two theories by a factor of two.",
+            name: "bends light half as much, as Newton would, or only on its way in",
+            hint: "In 1919 an eclipse decided between two theories by a factor of two. And the hole bends a ray on its way in and on its way out: is your angle that of both?",
             answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * angle),
         },
         Mistake {

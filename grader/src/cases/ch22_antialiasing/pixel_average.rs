@@ -279,5 +279,15 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "keeps the product from falling below 0, but not each factor",
+            hint: "A sample that is too far away along x and along y: what is the product of two negative factors?",
+            answer: |q| {
+                average(q, |s| {
+                    let factors = 1.0 - s.offset.abs() / q.radius;
+                    factors.element_product().max(0.0)
+                })
+            },
+        },
     ];
 }

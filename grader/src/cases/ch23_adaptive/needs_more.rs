@@ -282,6 +282,18 @@ impl Graded for NeedsMore {
                 decide(q, (0..3).any(is_above), standard_error(q))
             },
         },
+        Mistake {
+            name: "adds the channels' deviations as if they were a colour, not that of the luminance",
+            hint: "One channel is brighter where another is darker: is the luminance noisy then, and what do your deviations add up to?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                let mean = q.samples.iter().copied().sum::<Rgb>() / n;
+                let apart = q.samples.iter().map(|s| (*s + mean * -1.0).map(|v| v * v));
+                let variance = apart.sum::<Rgb>() / (n - 1.0);
+                let error = (variance / n).map(f32::sqrt).luminance();
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
     ];
 }
 

@@ -213,7 +213,7 @@ impl Graded for Collapse {
         Flaw {
             complaint: "could be opened",
             name: "stops opening branches while there is still room",
-            hint: "Opening a branch takes one member away and brings two: up to how many members may you go on?",
+            hint: "Opening a branch takes one member away and brings two: up to how many members may you go on? And where the largest is a leaf, is there a branch beside it?",
         },
         Flaw {
             complaint: "more area than they need",
@@ -383,6 +383,17 @@ impl Graded for Collapse {
             name: "opens the branch with the longest edge first",
             hint: "Is a long, thin box met by more rays than a large one?",
             answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).max_element())),
+        },
+        Mistake {
+            name: "stops as soon as the largest child is a leaf",
+            hint: "A leaf cannot be opened, however large: is there a branch among the other children?",
+            answer: |q| {
+                families(q, |q, members| {
+                    let area = |&i: &usize| half_area(q, members[i]);
+                    let largest = (0..members.len()).max_by(|a, b| area(a).total_cmp(&area(b)));
+                    largest.filter(|&i| members.len() < MOST && is_branch(q, members[i]))
+                })
+            },
         },
     ];
 }

@@ -253,10 +253,10 @@ impl Maker<'_, '_> {
                 13,
                 0,
                 format!(
-                    "forgets to normalise {}: the direction is right, its length is not 1",
+                    "forgets to normalise {}, or divides by another length than its own: the direction is right, its length is not 1",
                     self.of
                 ),
-                "How long is a direction?",
+                "How long is a direction, and how long is the vector by whose length you divide?",
                 &make,
             );
         }

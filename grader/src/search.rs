@@ -3,7 +3,7 @@
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::inside::RayBox;
-use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
+use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
@@ -55,6 +55,7 @@ pub struct Tree<'a> {
 }
 
 /// A node, by number, or a leaf's triangles.
+#[derive(Clone)]
 pub enum Node {
     /// A branch.
     Branch(u32),
@@ -129,6 +130,10 @@ pub struct How {
     pub forgets_the_last: bool,
     /// Begins a leaf with its second triangle.
     pub forgets_the_first: bool,
+    /// Opens the nearest of all that wait, wherever they are in the tree, and not of the last branch's children: as right.
+    pub from_queue: bool,
+    /// Goes by where the ray leaves the boxes, not by where it enters them.
+    pub by_exit: bool,
 }
 
 /// As it should be.
@@ -151,6 +156,8 @@ const WELL: How = How {
     counts_met: false,
     forgets_the_last: false,
     forgets_the_first: false,
+    from_queue: false,
+    by_exit: false,
 };
 
 /// What a search found, and what it cost.
@@ -186,7 +193,11 @@ pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found 
         within,
         found,
     };
-    search.open(root);
+    if how.from_queue {
+        search.open_nearest_of_all(root);
+    } else {
+        search.open(root);
+    }
     search.found
 }
 
@@ -274,25 +285,45 @@ impl Search<'_> {
         match node {
             _ if self.how.stops && self.found.hit.is_some() => {}
             Node::Branch(branch) => self.open_children(*branch),
-            Node::Leaf(triangles) => {
-                self.found.leaves += 1;
-                let last = usize::from(self.how.forgets_the_last);
-                let end = if self.how.only_the_first {
-                    triangles.len().min(1)
-                } else {
-                    triangles.len().saturating_sub(last)
-                };
-                let first = usize::from(self.how.forgets_the_first);
-                for &id in triangles[..end].iter().skip(first) {
-                    if self.test(id) && self.how.stops_in_leaf {
-                        break;
-                    }
-                }
+            Node::Leaf(triangles) => self.open_leaf(triangles),
+        }
+    }
+
+    fn open_leaf(&mut self, triangles: &[u32]) {
+        self.found.leaves += 1;
+        let last = usize::from(self.how.forgets_the_last);
+        let end = if self.how.only_the_first {
+            triangles.len().min(1)
+        } else {
+            triangles.len().saturating_sub(last)
+        };
+        let first = usize::from(self.how.forgets_the_first);
+        for &id in triangles[..end].iter().skip(first) {
+            if self.test(id) && self.how.stops_in_leaf {
+                break;
             }
         }
     }
 
-    fn open_children(&mut self, branch: u32) {
+    fn open_nearest_of_all(&mut self, root: &Node) {
+        let mut waiting = vec![(self.within.min, root.clone())];
+        let nearest = |waiting: &[(f32, Node)]| {
+            (0..waiting.len()).min_by(|&a, &b| waiting[a].0.total_cmp(&waiting[b].0))
+        };
+        while let Some(i) = nearest(&waiting) {
+            let (t, node) = waiting.swap_remove(i);
+            if t > self.within.max || self.how.stops && self.found.hit.is_some() {
+                break;
+            }
+            match node {
+                Node::Branch(branch) => waiting.extend(self.met(branch)),
+                Node::Leaf(triangles) => self.open_leaf(&triangles),
+            }
+        }
+    }
+
+    /// The children of a branch whose boxes are met, each with the distance by which they are put in order.
+    fn met(&mut self, branch: u32) -> Vec<(f32, Node)> {
         self.found.branches += 1;
         let mut children = (self.tree.children)(branch);
         if self.how.asks_the_first {
@@ -306,10 +337,14 @@ impl Search<'_> {
             children.splice(1.., again);
         }
         let children = children.into_iter();
-        let mut met: Vec<_> = children
-            .take(self.how.looks_at)
-            .filter_map(|(bounds, child)| Some((self.enters(&bounds)?, child)))
-            .collect();
+        let children = children.take(self.how.looks_at);
+        children
+            .filter_map(|(bounds, child)| Some((self.meets(&bounds)?, child)))
+            .collect()
+    }
+
+    fn open_children(&mut self, branch: u32) {
+        let mut met = self.met(branch);
         if matches!(self.how.order, Order::Nearest | Order::Farthest) {
             met.sort_by(|a, b| a.0.total_cmp(&b.0));
         }
@@ -323,8 +358,11 @@ impl Search<'_> {
         }
     }
 
-    fn enters(&mut self, bounds: &Aabb) -> Option<f32> {
-        let met = if self.how.asks {
+    fn meets(&mut self, bounds: &Aabb) -> Option<f32> {
+        let met = if self.how.by_exit {
+            let inside = slab::clip(bounds, self.tree.ray, self.tree.within);
+            inside.map(|inside| inside.max)
+        } else if self.how.asks {
             RayBox::new(self.tree.ray).enters(bounds, self.within)
         } else {
             Some(self.within.min)

@@ -62,6 +62,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "opens a waiting node without asking again whether it is behind the hit",
     ),
     ("bvh_closest", "counts one box for each branch"),
+    (
+        "bvh_closest",
+        "counts the nodes that are visited, not the boxes that are tested",
+    ),
     ("bvh_closest", "counts only the triangles that are hit"),
     ("bvh_closest", "counts only the boxes that are met"),
     ("bvh_closest", "counts the triangles of a leaf as one test"),

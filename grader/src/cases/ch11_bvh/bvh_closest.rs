@@ -255,6 +255,11 @@ impl Graded for BvhClosest {
                 }
             },
         },
+        Mistake {
+            name: "ends at the first leaf with a hit, of all that wait in the order of their distances",
+            hint: "Boxes may overlap: can a triangle of a box that begins a little later be nearer?",
+            answer: |q| search(q, |how| (how.from_queue, how.stops) = (true, true)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

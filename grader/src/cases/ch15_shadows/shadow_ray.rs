@@ -4,7 +4,7 @@ use super::way::{aimed_anew, ends_before, starts_off};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
-use raybook::math::{interval::Interval, pcg::Pcg};
+use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg};
 use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
@@ -64,12 +64,19 @@ impl Graded for ShadowRay {
     }
 
     /// What is right of a ray, its start, its direction or its end, as the reference has it: how far off the surface a ray starts, and
-    /// how long before the light it ends, is everybody's own choice.
+    /// how long before the light it ends, is everybody's own choice. A ray that goes elsewhere starts and ends as if the light were there.
     fn canonical(q: &ShadowRay, got: Way) -> Way {
-        let right = ShadowRay::answer(q);
-        let given = judge::direction("the ray", right.direction, got.direction);
+        let given = judge::direction("the ray", *q.toward, got.direction);
         let is_aimed = given.is_ok() || aimed_anew(q, &got).is_some();
-        let (starts, ends) = (starts_off(q, &got).is_ok(), ends_before(q, &got).is_ok());
+        let elsewhere = Dir3::new(got.direction).filter(|_| !is_aimed);
+        let toward = elsewhere.unwrap_or(q.toward);
+        let asked = ShadowRay {
+            toward,
+            ..q.clone()
+        };
+        let right = ShadowRay::answer(&asked);
+        let starts = starts_off(&asked, &got).is_ok();
+        let ends = ends_before(&asked, &got).is_ok();
         Way {
             origin: if starts { right.origin } else { got.origin },
             direction: if is_aimed {

@@ -272,6 +272,16 @@ impl Graded for WideClosest {
             hint: "Another triangle of the same leaf, or of a box that overlaps, may be nearer: when is the search over?",
             answer: |q| search(q, |how| (how.stops, how.stops_in_leaf) = (true, true)),
         },
+        Mistake {
+            name: "ends at the first leaf with a hit, of all that wait in the order of their distances",
+            hint: "Boxes may overlap: can a triangle of a box that begins a little later be nearer?",
+            answer: |q| search(q, |how| (how.from_queue, how.stops) = (true, true)),
+        },
+        Mistake {
+            name: "goes by where the ray leaves the boxes, not by where it enters them",
+            hint: "A large box may begin near and end far away: can the nearest hit be in it? By which end do you choose, and stop?",
+            answer: |q| search(q, |how| (how.from_queue, how.by_exit) = (true, true)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -82,10 +82,10 @@ common! {
     [1 2] 12 "takes the value minus 2": Each |v| v - 2.0;
     [] 13 "takes the value divided by ln 10, as of a logarithm to base 10 for one to base e": Each |v| v / LN_10;
     [] 13 "takes the value divided by ln 2, as of a logarithm to base 2 for one to base e": Each |v| v / LN_2;
-    [1] 13 "takes at least 0.1, against numbers that are too small": Each |v| v.max(0.1);
-    [1] 13 "takes at least 0.01, against numbers that are too small": Each |v| v.max(0.01);
-    [1] 13 "takes at least 0.001, against numbers that are too small": Each |v| v.max(0.001);
-    [1] 13 "takes at least 0.0001, against numbers that are too small": Each |v| v.max(1e-4);
+    [1] 12 "takes at least 0.1, against numbers that are too small": Each |v| v.max(0.1);
+    [1] 12 "takes at least 0.01, against numbers that are too small": Each |v| v.max(0.01);
+    [1] 12 "takes at least 0.001, against numbers that are too small": Each |v| v.max(0.001);
+    [1] 12 "takes at least 0.0001, against numbers that are too small": Each |v| v.max(1e-4);
     [2] 10 "exchanges both numbers": Together |v| v.swap(0, 1);
     [2] 11 "has the sign of {0} wrong": Together |v| v[0] = -v[0];
     [2] 11 "has the sign of {1} wrong": Together |v| v[1] = -v[1];

@@ -59,6 +59,24 @@ fn a_summand_with_the_wrong_sign_is_named() {
 }
 
 #[test]
+fn a_step_that_is_kept_from_falling_too_low_is_named() {
+    let found = diagnosed("point_light", |q| {
+        let [position, intensity, at] = [0, 3, 6].map(|i| glam::DVec3::from_slice(&q[i..]));
+        let way = position - at;
+        let distance = way.length();
+        if distance == 0.0 {
+            return Some(vec![0.0]);
+        }
+        let arriving = intensity / distance.max(0.01).powi(2);
+        let toward = (way / distance).to_array();
+        Some([&[1.0], &toward[..], &[distance], &arriving.to_array()].concat())
+    });
+    let told =
+        "goes wrong at the step “d²”: takes at least 0.0001, against numbers that are too small";
+    assert!(found.name.starts_with(told) && !found.certain, "{found:?}");
+}
+
+#[test]
 fn a_case_without_an_answer_is_told_by_its_branch() {
     let found = diagnosed("fresnel", |q| {
         fresnel(q, |n2, cos1| n2 * cos1).map(Vec::from)

@@ -74,6 +74,8 @@ pub enum Order {
     Stored,
     /// The last that is stored first, as from a stack.
     Backwards,
+    /// The nearest of all that wait, wherever they are in the tree: as right as the nearest of a branch.
+    NearestOfAll,
 }
 
 /// Which of several hits stays.
@@ -130,8 +132,6 @@ pub struct How {
     pub forgets_the_last: bool,
     /// Begins a leaf with its second triangle.
     pub forgets_the_first: bool,
-    /// Opens the nearest of all that wait, wherever they are in the tree, and not of the last branch's children: as right.
-    pub from_queue: bool,
     /// Goes by where the ray leaves the boxes, not by where it enters them.
     pub by_exit: bool,
 }
@@ -156,7 +156,6 @@ const WELL: How = How {
     counts_met: false,
     forgets_the_last: false,
     forgets_the_first: false,
-    from_queue: false,
     by_exit: false,
 };
 
@@ -193,7 +192,7 @@ pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found 
         within,
         found,
     };
-    if how.from_queue {
+    if how.order == Order::NearestOfAll {
         search.open_nearest_of_all(root);
     } else {
         search.open(root);

@@ -263,8 +263,7 @@ impl Graded for SphereHit {
             hint: "The near root may lie before the interval although the ray begins outside: what about the far root then?",
             answer: |q| {
                 let is_inside = q.ray.origin.distance(q.center) < q.radius;
-                let root = both(q).map(|t| if is_inside { t.y } else { t.x });
-                root.filter(|t| q.within.contains(*t))
+                pick(q, |near, far| Some(if is_inside { far } else { near }))
             },
         },
     ];
@@ -296,7 +295,7 @@ fn both(q: &SphereHit) -> Option<Vec2> {
 }
 
 /// The root that is picked, if it counts.
-fn pick(q: &SphereHit, choose: fn(f32, f32) -> Option<f32>) -> Option<f32> {
+fn pick(q: &SphereHit, choose: impl Fn(f32, f32) -> Option<f32>) -> Option<f32> {
     both(q)
         .and_then(|t| choose(t.x, t.y))
         .filter(|t| q.within.contains(*t))

@@ -2,8 +2,8 @@
 
 use super::tree;
 use crate::{
-    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Keeps,
-    search::Node, search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::Found, search::How,
+    search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
@@ -214,14 +214,7 @@ impl Graded for BvhClosest {
         Mistake {
             name: "counts the triangles of a leaf as one test",
             hint: "A leaf of two triangles: how many triangles does a ray test there?",
-            answer: |q| {
-                let found = with_tree(q, |tree| search::search(tree, &node(q, 0), |_| {}));
-                BvhClosestAnswer {
-                    boxes: found.boxes,
-                    tests: found.leaves,
-                    hit: found.hit,
-                }
-            },
+            answer: |q| counting(q, |found| (found.boxes, found.leaves)),
         },
         Mistake {
             name: "counts only the triangles that are hit",
@@ -246,19 +239,17 @@ impl Graded for BvhClosest {
         Mistake {
             name: "counts the nodes that are visited, not the boxes that are tested",
             hint: "A branch is opened: how many boxes are tested then, and is the root's among them?",
-            answer: |q| {
-                let found = with_tree(q, |tree| search::search(tree, &node(q, 0), |_| {}));
-                BvhClosestAnswer {
-                    boxes: found.branches + found.leaves,
-                    tests: found.tests,
-                    hit: found.hit,
-                }
-            },
+            answer: |q| counting(q, |found| (found.branches + found.leaves, found.tests)),
         },
         Mistake {
             name: "ends at the first leaf with a hit, of all that wait in the order of their distances",
             hint: "Boxes may overlap: can a triangle of a box that begins a little later be nearer?",
-            answer: |q| search(q, |how| (how.from_queue, how.stops) = (true, true)),
+            answer: |q| {
+                search(q, |how| {
+                    how.order = Order::NearestOfAll;
+                    how.stops = true;
+                })
+            },
         },
     ];
 
@@ -318,6 +309,17 @@ fn tests_without_hit(most: u32, got: u32) -> Verdict {
 fn leaf_of(q: &BvhClosest, triangle: u32) -> Option<&NodeRow> {
     let holds = |node: &&NodeRow| (node.first..node.first + node.count).contains(&triangle);
     q.nodes.iter().find(holds)
+}
+
+/// The right search, with other counts of boxes and of tests.
+fn counting(q: &BvhClosest, count: fn(&Found) -> (u32, u32)) -> BvhClosestAnswer {
+    let found = with_tree(q, |tree| search::search(tree, &node(q, 0), |_| {}));
+    let (boxes, tests) = count(&found);
+    BvhClosestAnswer {
+        boxes,
+        tests,
+        hit: found.hit,
+    }
 }
 
 /// A search that goes wrong in some way.

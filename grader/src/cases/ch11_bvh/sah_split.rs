@@ -26,27 +26,26 @@ pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [V
 
 /// The cut of least cost by areas without the faces across an axis.
 fn without_faces(q: &SahSplit, axis: usize) -> Vec<u32> {
-    cut_with(q, |_, sides| {
-        let cost = |side: &Vec<u32>| {
-            let s = around(&q.boxes, side).size();
-            let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
-            let area = match axis {
-                0 => of_y + of_z,
-                1 => of_x + of_z,
-                _ => of_x + of_y,
-            };
-            area * side.len() as f32
+    least_sum(q, |side| {
+        let s = around(&q.boxes, side).size();
+        let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
+        let area = match axis {
+            0 => of_y + of_z,
+            1 => of_x + of_z,
+            _ => of_x + of_y,
         };
-        cost(&sides[0]) + cost(&sides[1])
+        area * side.len() as f32
     })
 }
 
-/// The left side of the cut that is least by some measure of a side, left plus right.
+/// The left side of the cut that is least by some measure of a side's box and the number in it, left plus right.
 fn least(q: &SahSplit, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
-    cut_with(q, |_, sides| {
-        let measure = |s: &Vec<u32>| side(&around(&q.boxes, s), s.len() as f32);
-        measure(&sides[0]) + measure(&sides[1])
-    })
+    least_sum(q, |s| side(&around(&q.boxes, s), s.len() as f32))
+}
+
+/// The left side of the cut that is least by some measure of a side, left plus right.
+fn least_sum(q: &SahSplit, measure: impl Fn(&[u32]) -> f32) -> Vec<u32> {
+    cut_with(q, |_, [left, right]| measure(left) + measure(right))
 }
 
 fn cut_with(q: &SahSplit, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
@@ -363,12 +362,9 @@ impl Graded for SahSplit {
             name: "measures the boxes around the centres, not around the boxes",
             hint: "A side's box must hold the whole of its members: does a box around their centres?",
             answer: |q| {
-                cut_with(q, |_, sides| {
-                    let cost = |side: &Vec<u32>| {
-                        let centers = side.iter().map(|i| center(&q.boxes[*i as usize]));
-                        sah(&Aabb::of(centers), side.len() as f32)
-                    };
-                    cost(&sides[0]) + cost(&sides[1])
+                least_sum(q, |side| {
+                    let centers = side.iter().map(|i| center(&q.boxes[*i as usize]));
+                    sah(&Aabb::of(centers), side.len() as f32)
                 })
             },
         },

@@ -305,11 +305,10 @@ impl Graded for ShadowRay {
             name: "turns the direction to the light where the normal faces away from it",
             hint: "A sheet that is lit from behind: which of the two must be turned, the normal or the direction to the light?",
             answer: |q| {
-                let is_behind = q.normal.dot(*q.toward) < 0.0;
-                let toward = if is_behind { -q.toward } else { q.toward };
-                ShadowRay::answer(&ShadowRay {
-                    toward,
-                    ..q.clone()
+                Self::misread(q, |q| {
+                    if q.normal.dot(*q.toward) < 0.0 {
+                        q.toward = -q.toward;
+                    }
                 })
             },
         },

@@ -275,12 +275,22 @@ impl Graded for WideClosest {
         Mistake {
             name: "ends at the first leaf with a hit, of all that wait in the order of their distances",
             hint: "Boxes may overlap: can a triangle of a box that begins a little later be nearer?",
-            answer: |q| search(q, |how| (how.from_queue, how.stops) = (true, true)),
+            answer: |q| {
+                search(q, |how| {
+                    how.order = Order::NearestOfAll;
+                    how.stops = true;
+                })
+            },
         },
         Mistake {
             name: "goes by where the ray leaves the boxes, not by where it enters them",
             hint: "A large box may begin near and end far away: can the nearest hit be in it? By which end do you choose, and stop?",
-            answer: |q| search(q, |how| (how.from_queue, how.by_exit) = (true, true)),
+            answer: |q| {
+                search(q, |how| {
+                    how.order = Order::NearestOfAll;
+                    how.by_exit = true;
+                })
+            },
         },
     ];
 

@@ -67,6 +67,7 @@ pub mod student;
 mod suspend;
 pub mod together;
 pub mod traits;
+mod upon;
 pub mod watched;
 
 use raybook::image::rgb::Rgb;
@@ -161,7 +162,12 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     fn misread(question: &Self, how: impl FnOnce(&mut Self)) -> Self::Answer {
         let mut question = question.clone();
         how(&mut question);
-        question.answer()
+        question.right()
+    }
+
+    /// The right answer, of which a mistake is made. Where two mistakes are tried at once, it is that of the other one.
+    fn right(&self) -> Self::Answer {
+        upon::answer(self).unwrap_or_else(|| self.answer())
     }
 }
 

@@ -1,5 +1,6 @@
 //! Searches of a tree for the nearest triangle, as students write them: the right one, and the ways to go wrong.
 
+use crate::upon::changed;
 use crate::{Flaw, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::inside::RayBox;
@@ -90,7 +91,7 @@ pub enum Keeps {
 }
 
 /// How a search goes; one field wrong is a mistake.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a mistake of its own"
@@ -183,8 +184,7 @@ pub fn colour(hit: Option<&MeshHitAnswer>) -> Rgb {
 
 /// Searches below a node, rightly but for what is changed.
 pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found {
-    let mut how = WELL;
-    change(&mut how);
+    let how = changed(WELL, change);
     let (within, found) = (tree.within, Found::default());
     let mut search = Search {
         tree,

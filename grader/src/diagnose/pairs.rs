@@ -167,6 +167,59 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     }
 }
 
+/// Explanations by one of the exercise's own mistakes made upon another.
+pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
+    let examiner = evidence.examiner;
+    let Some(probe) = evidence.probe(PROBE) else {
+        return;
+    };
+    if probe.wrong < 3 || !probe.tells_much() || evidence.scope != Scope::Whole {
+        return;
+    }
+    let mistakes = examiner.mistakes();
+    let answer = |of: &Evidence<'_>, first: usize, second: usize, k: usize| {
+        let question = &of.items[k].question;
+        attempt(|| examiner.mistakes_answer(first, second, question)).flatten()
+    };
+    // Whether each of the two alone leaves something unexplained: a second mistake that never shows is none.
+    let explains = |mistake: usize, k: usize| {
+        let alone = probe.mistaken(mistake, k);
+        alone.is_some_and(|alone| probe.explains(k, &alone))
+    };
+    let explains_all = |mistake: &usize| (0..probe.wrong).all(|k| explains(*mistake, k));
+    let tried: Vec<_> = (0..mistakes.len())
+        .filter(|mistake| !explains_all(mistake))
+        .collect();
+    for &first in &tried {
+        for &second in tried.iter().filter(|second| **second != first) {
+            if probe
+                .score(0.99, |k| answer(&probe, first, second, k))
+                .is_none()
+            {
+                continue;
+            }
+            let answers: Answers = (0..evidence.items.len())
+                .map(|k| answer(evidence, first, second, k))
+                .collect();
+            let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+                continue;
+            };
+            let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
+            let (name, hint) = told(second);
+            found.push(Found {
+                name,
+                hint,
+                then: Some(told(first)),
+                rival: None,
+                rank: 42,
+                fitted: 0,
+                score,
+                answers,
+            });
+        }
+    }
+}
+
 /// What is answered to an item's question, in the order in which answers are compared.
 fn in_form(
     evidence: &Evidence<'_>,

@@ -4,6 +4,7 @@ use super::Examiner;
 use crate::diagnose::misread::Limits;
 use crate::picture::triple::PictureSize;
 use crate::together::Bounds;
+use crate::upon::upon;
 use crate::{Flaw, Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
@@ -88,6 +89,12 @@ impl<E: Graded> Examiner for Examination<E> {
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>> {
         let answer = E::MISTAKES.get(i)?.answer;
         Some(to_numbers(&answer(&from_numbers(question))))
+    }
+
+    fn mistakes_answer(&self, first: usize, second: usize, question: &[f64]) -> Option<Vec<f64>> {
+        let [first, second] = [first, second].map(|i| E::MISTAKES.get(i));
+        let answer = upon(first?, second?, &from_numbers(question))?;
+        Some(to_numbers(&answer))
     }
 
     fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {

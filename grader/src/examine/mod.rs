@@ -76,6 +76,17 @@ pub trait Examiner: Sync {
     /// What mistake number i answers.
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>>;
 
+    /// What is answered by one who makes mistake number `first` upon mistake number `second`; none if the first is made of nothing that the
+    /// second changes.
+    fn mistakes_answer(
+        &self,
+        _first: usize,
+        _second: usize,
+        _question: &[f64],
+    ) -> Option<Vec<f64>> {
+        None
+    }
+
     /// See [`canonical`](crate::Graded::canonical).
     fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
 

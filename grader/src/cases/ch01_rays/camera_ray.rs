@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer};
 
 impl Graded for CameraRay {
@@ -85,7 +84,7 @@ impl Graded for CameraRay {
             name: "starts at the image plane",
             hint: "All rays of a pin-hole camera pass through one point: which?",
             answer: |q| {
-                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let CameraRayAnswer { origin, direction } = CameraRay::right(q);
                 let to_plane = q.focal_length / direction.dot(*q.forward);
                 CameraRayAnswer {
                     origin: origin + to_plane * direction,
@@ -97,7 +96,7 @@ impl Graded for CameraRay {
             name: "forgets to normalise the direction",
             hint: "If t is to be a distance, how long must the direction be?",
             answer: |q| {
-                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let CameraRayAnswer { origin, direction } = CameraRay::right(q);
                 CameraRayAnswer {
                     origin,
                     direction: q.focal_length / direction.dot(*q.forward) * direction,
@@ -118,7 +117,7 @@ impl Graded for CameraRay {
             name: "adds the focal point to the direction",
             hint: "A direction is the way from one point to another: is yours a way, or a point?",
             answer: |q| {
-                let CameraRayAnswer { origin, direction } = CameraRay::answer(q);
+                let CameraRayAnswer { origin, direction } = CameraRay::right(q);
                 let to_place = q.focal_length / direction.dot(*q.forward);
                 CameraRayAnswer {
                     origin,

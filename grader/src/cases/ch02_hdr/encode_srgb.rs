@@ -3,7 +3,6 @@
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
 
 /// sRGB's curve, with its threshold, its exponent, and what is taken off at the end.
@@ -102,7 +101,7 @@ impl Graded for EncodeSrgb {
         Mistake {
             name: "returns a whole number from 0 to 255",
             hint: "The code value of white: which number does the task call it?",
-            answer: |q| (255.0 * EncodeSrgb::answer(q)).round(),
+            answer: |q| (255.0 * EncodeSrgb::right(q)).round(),
         },
         Mistake {
             name: "takes the 0.055 and the 1.055 into the power, as in the inverse curve",

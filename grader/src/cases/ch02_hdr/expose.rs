@@ -4,7 +4,6 @@ use super::{channels, colour};
 use crate::{Graded, Mistake, Verdict, sample};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch02_hdr::Expose;
 
 impl Graded for Expose {
@@ -38,7 +37,7 @@ impl Graded for Expose {
         Mistake {
             name: "clamps to 1",
             hint: "Radiance has no upper limit; where does the limit belong?",
-            answer: |q| Expose::answer(q).map(|v| v.clamp(0.0, 1.0)),
+            answer: |q| Expose::right(q).map(|v| v.clamp(0.0, 1.0)),
         },
         Mistake {
             name: "multiplies by 1 plus the number of stops",

@@ -4,7 +4,6 @@ use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SolveQuadratic;
 
 /// What loses digits, in whatever order and precision it is calculated.
@@ -81,7 +80,7 @@ impl Graded for SolveQuadratic {
             name: "returns the roots unsorted",
             hint: "Try a negative a, then a positive b: which of your two roots is the smaller one?",
             answer: |q| {
-                SolveQuadratic::answer(q).map(|t| {
+                SolveQuadratic::right(q).map(|t| {
                     if q.a < 0.0 || q.b > 0.0 {
                         vec2(t.y, t.x)
                     } else {
@@ -93,22 +92,22 @@ impl Graded for SolveQuadratic {
         Mistake {
             name: "forgets the 2 in 2a",
             hint: "Put one of your roots back into the equation: is a·t² + b·t + c really 0?",
-            answer: |q| SolveQuadratic::answer(q).map(|t| 2.0 * t),
+            answer: |q| SolveQuadratic::right(q).map(|t| 2.0 * t),
         },
         Mistake {
             name: "has the sign of b wrong",
             hint: "Put one of your roots back into the equation, and then its negative.",
-            answer: |q| SolveQuadratic::answer(q).map(|t| vec2(-t.y, -t.x)),
+            answer: |q| SolveQuadratic::right(q).map(|t| vec2(-t.y, -t.x)),
         },
         Mistake {
             name: "takes 0 for the sign of b where b is 0",
             hint: "In −½(b + sign(b)·√(b² − 4ac)) the root must never get lost: which sign does it need where b is 0, and what does your sign function say of 0?",
-            answer: |q| SolveQuadratic::answer(q).map(|t| if q.b == 0.0 { Vec2::ZERO } else { t }),
+            answer: |q| SolveQuadratic::right(q).map(|t| if q.b == 0.0 { Vec2::ZERO } else { t }),
         },
         Mistake {
             name: "returns none for a double root",
             hint: "When b² = 4ac the parabola touches zero: how often?",
-            answer: |q| SolveQuadratic::answer(q).filter(|t| t.x != t.y),
+            answer: |q| SolveQuadratic::right(q).filter(|t| t.x != t.y),
         },
         Mistake {
             name: "takes the root of |b² − 4ac|",
@@ -162,7 +161,7 @@ impl Graded for SolveQuadratic {
             name: "returns the root of the larger absolute value first",
             hint: "Which of the two roots is the smaller one, if both are negative?",
             answer: |q| {
-                SolveQuadratic::answer(q).map(|t| {
+                SolveQuadratic::right(q).map(|t| {
                     if t.y.abs() > t.x.abs() {
                         vec2(t.y, t.x)
                     } else {
@@ -194,18 +193,18 @@ impl Graded for SolveQuadratic {
         Mistake {
             name: "writes /2*a, which divides by 2 and multiplies by a",
             hint: "What does your language calculate first in x/2*a? Put parentheses round 2a.",
-            answer: |q| SolveQuadratic::answer(q).map(|t| q.a * q.a * t),
+            answer: |q| SolveQuadratic::right(q).map(|t| q.a * q.a * t),
         },
         Mistake {
             name: "returns none where both roots are 0",
             hint: "t² = 0 has a root: which one?",
-            answer: |q| SolveQuadratic::answer(q).filter(|t| *t != Vec2::ZERO),
+            answer: |q| SolveQuadratic::right(q).filter(|t| *t != Vec2::ZERO),
         },
         Mistake {
             name: "orders the roots as if a were positive",
             hint: "Where a is negative, which of (−b − √…)/2a and (−b + √…)/2a is the smaller?",
             answer: |q| {
-                let right = SolveQuadratic::answer(q);
+                let right = SolveQuadratic::right(q);
                 right.map(|t| if q.a < 0.0 { vec2(t.y, t.x) } else { t })
             },
         },
@@ -231,7 +230,7 @@ fn sorted(t: Vec2) -> Vec2 {
 
 /// The roots by the stable formula, that of the larger size and that of the smaller size each times a factor.
 fn stable(q: &SolveQuadratic, larger: f32, smaller: f32) -> Option<Vec2> {
-    SolveQuadratic::answer(q).map(|t| {
+    SolveQuadratic::right(q).map(|t| {
         sorted(if t.x.abs() > t.y.abs() {
             vec2(larger * t.x, smaller * t.y)
         } else {

@@ -6,7 +6,6 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
 impl Graded for SphereHit {
@@ -140,7 +139,7 @@ impl Graded for SphereHit {
             hint: "Stand in a large sphere: do you see its wall, and which of the two roots is it?",
             answer: |q| {
                 let is_outside = q.ray.origin.distance(q.center) >= q.radius;
-                q.answer().filter(|_| is_outside)
+                q.right().filter(|_| is_outside)
             },
         },
         Mistake {
@@ -246,7 +245,7 @@ impl Graded for SphereHit {
         Mistake {
             name: "returns the distance of the hit from the world's origin",
             hint: "From where is t measured: from the ray's origin, or from the world's?",
-            answer: |q| q.answer().map(|t| q.ray.at(t).length()),
+            answer: |q| q.right().map(|t| q.ray.at(t).length()),
         },
         Mistake {
             name: "returns the far root where both count",

@@ -3,7 +3,6 @@
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch03_sphere::SphereNormal;
 
 impl Graded for SphereNormal {
@@ -28,7 +27,7 @@ impl Graded for SphereNormal {
         Mistake {
             name: "points inwards",
             hint: "From the centre to the point, or from the point to the centre?",
-            answer: |q| -SphereNormal::answer(q),
+            answer: |q| -SphereNormal::right(q),
         },
         Mistake {
             name: "forgets to normalise",

@@ -6,7 +6,6 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch04_plane::PlaneHit;
 
 impl Graded for PlaneHit {
@@ -55,7 +54,7 @@ impl Graded for PlaneHit {
         Mistake {
             name: "sees the front only",
             hint: "Look at the plane from below: is it still there?",
-            answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction) < 0.0),
+            answer: |q| PlaneHit::right(q).filter(|_| q.normal.dot(*q.ray.direction) < 0.0),
         },
         Mistake {
             name: "ignores the interval",
@@ -70,17 +69,17 @@ impl Graded for PlaneHit {
         Mistake {
             name: "turns the sign of t round after the interval has been checked",
             hint: "What is the sign of (offset − n·o)/(n·d) for a plane that lies ahead?",
-            answer: |q| PlaneHit::answer(q).map(|t| -t),
+            answer: |q| PlaneHit::right(q).map(|t| -t),
         },
         Mistake {
             name: "returns the distance along the normal",
             hint: "Does a slanted ray go as far to the plane as a ray along the normal?",
-            answer: |q| PlaneHit::answer(q).map(|t| (t * q.normal.dot(*q.ray.direction)).abs()),
+            answer: |q| PlaneHit::right(q).map(|t| (t * q.normal.dot(*q.ray.direction)).abs()),
         },
         Mistake {
             name: "calls a nearly parallel ray a miss",
             hint: "How close to 0 is too close? A plane reaches to the horizon.",
-            answer: |q| PlaneHit::answer(q).filter(|_| q.normal.dot(*q.ray.direction).abs() > 0.02),
+            answer: |q| PlaneHit::right(q).filter(|_| q.normal.dot(*q.ray.direction).abs() > 0.02),
         },
         Mistake {
             name: "forgets to divide by n·d",
@@ -107,7 +106,7 @@ impl Graded for PlaneHit {
         Mistake {
             name: "returns the distance of the hit from the world's origin",
             hint: "From where is t measured: from the ray's origin, or from the world's?",
-            answer: |q| PlaneHit::answer(q).map(|t| q.ray.at(t).length()),
+            answer: |q| PlaneHit::right(q).map(|t| q.ray.at(t).length()),
         },
     ];
 
@@ -132,7 +131,7 @@ impl Graded for PlaneHit {
 
 /// The distance at which the whole line meets the plane.
 fn line(q: &PlaneHit) -> Option<f32> {
-    PlaneHit::answer(&PlaneHit {
+    PlaneHit::right(&PlaneHit {
         within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
         ..q.clone()
     })

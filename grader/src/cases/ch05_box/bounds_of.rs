@@ -4,7 +4,6 @@ use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::{BoundsOf, Corners};
 use std::cmp::Ordering;
 
@@ -95,7 +94,7 @@ impl Graded for BoundsOf {
             name: "swaps the corners",
             hint: "Which of the two corners has the smaller coordinates?",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 Corners { min: max, max: min }
             },
         },
@@ -110,7 +109,7 @@ impl Graded for BoundsOf {
                 });
                 match (points.first(), points.last()) {
                     (Some(&min), Some(&max)) => Corners { min, max },
-                    _ => BoundsOf::answer(q),
+                    _ => BoundsOf::right(q),
                 }
             },
         },
@@ -123,7 +122,7 @@ impl Graded for BoundsOf {
             name: "starts the greatest corner at 0, or at the smallest positive number",
             hint: "Try points whose coordinates are all negative; what is your box's max before the first point?",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 Corners {
                     min,
                     max: max.max(Vec3::splat(f32::MIN_POSITIVE)),
@@ -134,7 +133,7 @@ impl Graded for BoundsOf {
             name: "makes the box a cube",
             hint: "Each axis has a smallest and a largest coordinate of its own.",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 Corners {
                     min: Vec3::splat(min.min_element()),
                     max: Vec3::splat(max.max_element()),
@@ -145,7 +144,7 @@ impl Graded for BoundsOf {
             name: "returns the centre and half of the size",
             hint: "Which two points are asked for?",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 Corners {
                     min: 0.5 * (min + max),
                     max: 0.5 * (max - min),
@@ -156,7 +155,7 @@ impl Graded for BoundsOf {
             name: "returns the size for the greatest corner",
             hint: "Is your second point a corner, or the way from the first corner?",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 Corners {
                     min,
                     max: max - min,
@@ -182,7 +181,7 @@ impl Graded for BoundsOf {
                 if q.points.is_empty() {
                     bounds([Vec3::ZERO].into_iter())
                 } else {
-                    BoundsOf::answer(q)
+                    BoundsOf::right(q)
                 }
             },
         },
@@ -190,7 +189,7 @@ impl Graded for BoundsOf {
             name: "returns the empty box the other way round, its least corner at −∞",
             hint: "Which box is contained in every other, so that adding a point to it gives the point?",
             answer: |q| {
-                let Corners { min, max } = BoundsOf::answer(q);
+                let Corners { min, max } = BoundsOf::right(q);
                 if q.points.is_empty() {
                     Corners { min: max, max: min }
                 } else {
@@ -202,7 +201,7 @@ impl Graded for BoundsOf {
             name: "never looks at x",
             hint: "How often does your loop over the axes go round?",
             answer: |q| {
-                let mut right = BoundsOf::answer(q);
+                let mut right = BoundsOf::right(q);
                 let empty = bounds([].into_iter());
                 (right.min.x, right.max.x) = (empty.min.x, empty.max.x);
                 right
@@ -212,7 +211,7 @@ impl Graded for BoundsOf {
             name: "never looks at y",
             hint: "How often does your loop over the axes go round?",
             answer: |q| {
-                let mut right = BoundsOf::answer(q);
+                let mut right = BoundsOf::right(q);
                 let empty = bounds([].into_iter());
                 (right.min.y, right.max.y) = (empty.min.y, empty.max.y);
                 right
@@ -222,7 +221,7 @@ impl Graded for BoundsOf {
             name: "never looks at z",
             hint: "How often does your loop over the axes go round?",
             answer: |q| {
-                let mut right = BoundsOf::answer(q);
+                let mut right = BoundsOf::right(q);
                 let empty = bounds([].into_iter());
                 (right.min.z, right.max.z) = (empty.min.z, empty.max.z);
                 right
@@ -233,7 +232,7 @@ impl Graded for BoundsOf {
 
 /// The box of points, as an answer.
 fn bounds(points: impl Iterator<Item = Vec3>) -> Corners {
-    BoundsOf::answer(&BoundsOf {
+    BoundsOf::right(&BoundsOf {
         points: points.collect(),
     })
 }

@@ -6,7 +6,6 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::BoxClip;
 
 impl Graded for BoxClip {
@@ -89,7 +88,7 @@ impl Graded for BoxClip {
                     q.ray.direction[axis] == 0.0
                         && [q.min[axis], q.max[axis]].contains(&q.ray.origin[axis])
                 });
-                BoxClip::answer(q).filter(|_| !nan)
+                BoxClip::right(q).filter(|_| !nan)
             },
         },
         Mistake {
@@ -123,7 +122,7 @@ impl Graded for BoxClip {
             name: "finds nothing if the ray starts inside the box",
             hint: "Put the origin inside the box: on which part of the ray is it inside?",
             answer: |q| {
-                BoxClip::answer(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
+                BoxClip::right(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
             },
         },
         Mistake {
@@ -153,13 +152,13 @@ impl Graded for BoxClip {
             name: "calls every ray that is parallel to a face a miss",
             hint: "A ray that never leaves the slab between two faces: what does that slab cut off?",
             answer: |q| {
-                BoxClip::answer(q).filter(|_| q.ray.direction.to_array().iter().all(|d| *d != 0.0))
+                BoxClip::right(q).filter(|_| q.ray.direction.to_array().iter().all(|d| *d != 0.0))
             },
         },
         Mistake {
             name: "misses what the ray only touches",
             hint: "At an edge, the ray enters and leaves at the same t: is that empty?",
-            answer: |q| BoxClip::answer(q).filter(|part| part.min < part.max),
+            answer: |q| BoxClip::right(q).filter(|part| part.min < part.max),
         },
         Mistake {
             name: "keeps the union of the slabs and the interval, not their overlap",

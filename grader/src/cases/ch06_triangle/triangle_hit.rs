@@ -5,7 +5,6 @@ use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
 
 impl Graded for TriangleHit {
@@ -79,18 +78,18 @@ impl Graded for TriangleHit {
         Mistake {
             name: "sees the front only",
             hint: "Walk around the triangle: it has two sides.",
-            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) < 0.0),
+            answer: |q| TriangleHit::right(q).filter(|_| normal(q).dot(*q.ray.direction) < 0.0),
         },
         Mistake {
             name: "sees the back only",
             hint: "What is the sign of the determinant for the side you look at?",
-            answer: |q| TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction) > 0.0),
+            answer: |q| TriangleHit::right(q).filter(|_| normal(q).dot(*q.ray.direction) > 0.0),
         },
         Mistake {
             name: "swaps b1 and b2",
             hint: "At the second corner, which of the two weights is 1?",
             answer: |q| {
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer {
                     b1: hit.b2,
                     b2: hit.b1,
                     ..hit
@@ -101,7 +100,7 @@ impl Graded for TriangleHit {
             name: "returns the weights of the first and the second corner for b1 and b2",
             hint: "The three weights add up to 1; which two are b1 and b2?",
             answer: |q| {
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer {
                     b1: 1.0 - hit.b1 - hit.b2,
                     b2: hit.b1,
                     ..hit
@@ -118,7 +117,7 @@ impl Graded for TriangleHit {
             hint: "Make the triangle twice as large: the weights must not change.",
             answer: |q| {
                 let determinant = -normal(q).dot(*q.ray.direction);
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer {
                     b1: hit.b1 * determinant,
                     b2: hit.b2 * determinant,
                     ..hit
@@ -129,7 +128,7 @@ impl Graded for TriangleHit {
             name: "takes a small triangle for one without area",
             hint: "A determinant is a volume: how small is it for a triangle of a millimetre?",
             answer: |q| {
-                TriangleHit::answer(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4)
+                TriangleHit::right(q).filter(|_| normal(q).dot(*q.ray.direction).abs() > 1e-4)
             },
         },
         Mistake {
@@ -148,14 +147,14 @@ impl Graded for TriangleHit {
             hint: "The plane is met where its normal n has n·p = n·p0: which part of the way to p0 is along the ray?",
             answer: |q| {
                 let t = (q.p0 - q.ray.origin).dot(*q.ray.direction);
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer { t, ..hit })
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer { t, ..hit })
             },
         },
         Mistake {
             name: "returns the distance of the hit from the world's origin",
             hint: "From where is t measured: from the ray's origin, or from the world's?",
             answer: |q| {
-                TriangleHit::answer(q).map(|hit| TriangleHitAnswer {
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer {
                     t: q.ray.at(hit.t).length(),
                     ..hit
                 })

@@ -3,7 +3,6 @@
 use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
 
 impl Graded for TriangleNormal {
@@ -32,12 +31,12 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "points to the other side",
             hint: "Curl the fingers of your right hand from p0 over p1 to p2: where does the thumb point?",
-            answer: |q| TriangleNormal::answer(q).map(|n| -n),
+            answer: |q| TriangleNormal::right(q).map(|n| -n),
         },
         Mistake {
             name: "forgets to normalise",
             hint: "The cross product's length is twice the triangle's area.",
-            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).cross(q.p2 - q.p0)),
+            answer: |q| TriangleNormal::right(q).map(|_| (q.p1 - q.p0).cross(q.p2 - q.p0)),
         },
         Mistake {
             name: "crosses the corners instead of the edges",
@@ -52,18 +51,18 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "always points up",
             hint: "It is the order of the corners that decides which side is outside, not the world.",
-            answer: |q| TriangleNormal::answer(q).map(|n| if n.y < 0.0 { -n } else { n }),
+            answer: |q| TriangleNormal::right(q).map(|n| if n.y < 0.0 { -n } else { n }),
         },
         Mistake {
             name: "returns the direction of an edge",
             hint: "What is the normal's dot product with each edge?",
-            answer: |q| TriangleNormal::answer(q).map(|_| (q.p1 - q.p0).normalize()),
+            answer: |q| TriangleNormal::right(q).map(|_| (q.p1 - q.p0).normalize()),
         },
         Mistake {
             name: "divides by the square of the length",
             hint: "How long is n, and how long is n/|n|²?",
             answer: |q| {
-                TriangleNormal::answer(q).map(|_| {
+                TriangleNormal::right(q).map(|_| {
                     let n = (q.p1 - q.p0).cross(q.p2 - q.p0);
                     n / n.length_squared()
                 })
@@ -72,12 +71,12 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "turns the normal away from the world's origin",
             hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
-            answer: |q| TriangleNormal::answer(q).map(|n| if n.dot(q.p0) < 0.0 { -n } else { n }),
+            answer: |q| TriangleNormal::right(q).map(|n| if n.dot(q.p0) < 0.0 { -n } else { n }),
         },
         Mistake {
             name: "turns the normal toward the world's origin",
             hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
-            answer: |q| TriangleNormal::answer(q).map(|n| if n.dot(q.p0) > 0.0 { -n } else { n }),
+            answer: |q| TriangleNormal::right(q).map(|n| if n.dot(q.p0) > 0.0 { -n } else { n }),
         },
     ];
 }

@@ -4,7 +4,6 @@ use super::{nearest_corner, place};
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::InterpolateTexture;
 
 impl Graded for InterpolateTexture {
@@ -48,20 +47,20 @@ impl Graded for InterpolateTexture {
             hint: "Which of the two coordinates comes first?",
             answer: |q| {
                 vec2(
-                    InterpolateTexture::answer(q).y,
-                    InterpolateTexture::answer(q).x,
+                    InterpolateTexture::right(q).y,
+                    InterpolateTexture::right(q).x,
                 )
             },
         },
         Mistake {
             name: "normalises the coordinates as if they were a direction",
             hint: "Texture coordinates have no length that matters.",
-            answer: |q| InterpolateTexture::answer(q).normalize_or_zero(),
+            answer: |q| InterpolateTexture::right(q).normalize_or_zero(),
         },
         Mistake {
             name: "wraps the coordinates into [0, 1)",
             hint: "A texture may repeat: is that decided here, or where the texture is looked up?",
-            answer: |q| InterpolateTexture::answer(q).fract_gl(),
+            answer: |q| InterpolateTexture::right(q).fract_gl(),
         },
         Mistake {
             name: "returns (b1, b2)",

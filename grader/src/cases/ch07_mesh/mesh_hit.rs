@@ -6,7 +6,6 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer};
 
 impl Graded for MeshHit {
@@ -75,7 +74,7 @@ impl Graded for MeshHit {
             name: "returns the least distance with the number of the first triangle that is hit",
             hint: "When a nearer triangle is hit, which two things change?",
             answer: |q| {
-                let nearest = MeshHit::answer(q)?;
+                let nearest = MeshHit::right(q)?;
                 hits(q).next().map(|first| MeshHitAnswer {
                     t: nearest.t,
                     ..first
@@ -86,7 +85,7 @@ impl Graded for MeshHit {
             name: "returns the least distance with the number of the last triangle that is hit",
             hint: "When a nearer triangle is hit, which two things change? And when a farther one is?",
             answer: |q| {
-                let nearest = MeshHit::answer(q)?;
+                let nearest = MeshHit::right(q)?;
                 hits(q).last().map(|last| MeshHitAnswer {
                     t: nearest.t,
                     ..last
@@ -138,7 +137,7 @@ impl Graded for MeshHit {
             name: "counts ids from 1",
             hint: "What is the number of the first triangle?",
             answer: |q| {
-                MeshHit::answer(q).map(|hit| MeshHitAnswer {
+                MeshHit::right(q).map(|hit| MeshHitAnswer {
                     id: hit.id + 1,
                     ..hit
                 })
@@ -149,7 +148,7 @@ impl Graded for MeshHit {
             hint: "When a nearer hit is found, what do you keep beside its distance?",
             answer: |q| {
                 let last = (q.triangles.len() as u32).saturating_sub(1);
-                MeshHit::answer(q).map(|hit| MeshHitAnswer { id: last, ..hit })
+                MeshHit::right(q).map(|hit| MeshHitAnswer { id: last, ..hit })
             },
         },
         Mistake {
@@ -241,7 +240,7 @@ fn hits(q: &MeshHit) -> impl Iterator<Item = MeshHitAnswer> {
             triangles: vec![triangle.clone()],
             ..q.clone()
         };
-        MeshHit::answer(&alone).map(|hit| MeshHitAnswer { id, ..hit })
+        MeshHit::right(&alone).map(|hit| MeshHitAnswer { id, ..hit })
     })
 }
 

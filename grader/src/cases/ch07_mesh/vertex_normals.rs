@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::{Indices, VertexNormals};
 
 impl Graded for VertexNormals {
@@ -234,7 +233,7 @@ impl Graded for VertexNormals {
             name: "turns every normal up",
             hint: "It is the order of the corners that decides which side is outside, not the world.",
             answer: |q| {
-                VertexNormals::answer(q)
+                VertexNormals::right(q)
                     .into_iter()
                     .map(|n| if n.y < 0.0 { -n } else { n })
                     .collect()

@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Verdict, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
 
 impl Graded for GridResolution {
@@ -83,7 +82,7 @@ impl Graded for GridResolution {
             name: "gives an axis of extent 0 no cell",
             hint: "How many cells are there in all if one of your numbers is 0?",
             answer: |q| {
-                let right = GridResolution::answer(q);
+                let right = GridResolution::right(q);
                 let thin = |n: u32, extent: f32| if extent <= 0.0 { 0 } else { n };
                 Cell {
                     x: thin(right.x, q.extents.x),
@@ -111,7 +110,7 @@ impl Graded for GridResolution {
                     .map(|i| q.extents[i])
                     .product();
                 if count == 3 {
-                    return GridResolution::answer(q);
+                    return GridResolution::right(q);
                 }
                 let along = q.extents * (cells(q) / content).cbrt();
                 let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
@@ -124,7 +123,7 @@ impl Graded for GridResolution {
             answer: |q| {
                 let (content, thick) = content(q);
                 if thick.element_sum() > 1.0 {
-                    return GridResolution::answer(q);
+                    return GridResolution::right(q);
                 }
                 whole(q.extents * (cells(q) / content).sqrt() * thick, f32::round)
             },
@@ -134,7 +133,7 @@ impl Graded for GridResolution {
             hint: "A flat box has no volume, but it has an area: into how many cells would you cut that?",
             answer: |q| {
                 if share(q).min_element() > 0.0 {
-                    GridResolution::answer(q)
+                    GridResolution::right(q)
                 } else {
                     whole(Vec3::ONE, f32::round)
                 }
@@ -169,7 +168,7 @@ impl Graded for GridResolution {
             hint: "How many cells are there in all if there is none along one axis?",
             answer: |q| {
                 let along = share(q);
-                let Cell { x, y, z } = GridResolution::answer(q);
+                let Cell { x, y, z } = GridResolution::right(q);
                 let cut = |n: u32, along: f32| if along > 0.0 { n } else { 0 };
                 Cell {
                     x: cut(x, along.x),

@@ -8,7 +8,6 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use walks::{ADDING, Adding, added, ahead, by_distance, in_front, nearest, student};
 
@@ -136,7 +135,7 @@ impl Graded for GridWalk {
             name: "skips the first cell",
             hint: "The ray begins inside a cell, or enters one: is it visited before the first step?",
             answer: |q| {
-                let visits = passed(q, &GridWalk::answer(q));
+                let visits = passed(q, &GridWalk::right(q));
                 visits.into_iter().skip(1).collect()
             },
         },
@@ -144,7 +143,7 @@ impl Graded for GridWalk {
             name: "forgets the last cell",
             hint: "Count the cells of a lattice of one cell.",
             answer: |q| {
-                let mut visits = passed(q, &GridWalk::answer(q));
+                let mut visits = passed(q, &GridWalk::right(q));
                 visits.pop();
                 visits
             },
@@ -198,7 +197,7 @@ impl Graded for GridWalk {
             hint: "What is the distance to a plane that the ray never meets, and is it the least of the three?",
             answer: |q| {
                 let stays = (0..3).any(|axis| q.ray.direction[axis] == 0.0);
-                let visits = GridWalk::answer(q);
+                let visits = GridWalk::right(q);
                 visits
                     .into_iter()
                     .take(if stays { 1 } else { usize::MAX })
@@ -220,7 +219,7 @@ impl Graded for GridWalk {
             name: "says where the ray enters a cell, not where it leaves",
             hint: "The search may stop when the best hit lies before which end of the cell?",
             answer: |q| {
-                let visits = GridWalk::answer(q);
+                let visits = GridWalk::right(q);
                 let enters: Vec<_> = std::iter::once(start(q))
                     .chain(visits.iter().map(|v| v.leave))
                     .collect();
@@ -246,7 +245,7 @@ impl Graded for GridWalk {
             name: "skips every second cell",
             hint: "How often in a round of your loop does the cell change, and how often is it visited?",
             answer: |q| {
-                let visits = GridWalk::answer(q);
+                let visits = GridWalk::right(q);
                 visits.into_iter().step_by(2).collect()
             },
         },
@@ -270,7 +269,7 @@ impl Graded for GridWalk {
                     }
                 };
                 let start = (0..3).map(enters).fold(q.within.min, f32::max);
-                let visits = GridWalk::answer(q).into_iter();
+                let visits = GridWalk::right(q).into_iter();
                 visits
                     .map(|visit| Visit {
                         leave: visit.leave - start,
@@ -283,7 +282,7 @@ impl Graded for GridWalk {
             name: "counts the cells along y from the top",
             hint: "Which cell along y is number 0: the one at the least y, or the one at the greatest?",
             answer: |q| {
-                GridWalk::answer(q)
+                GridWalk::right(q)
                     .into_iter()
                     .map(|visit| Visit {
                         y: (q.ny - 1).saturating_sub(visit.y),
@@ -390,7 +389,7 @@ impl Graded for GridWalk {
             hint: "From where is t measured: from the ray's origin, or from where the ray enters the cell?",
             answer: |q| {
                 let mut enter = start(q);
-                let visits = GridWalk::answer(q).into_iter();
+                let visits = GridWalk::right(q).into_iter();
                 visits
                     .map(|visit| {
                         let leave = visit.leave - enter;
@@ -416,7 +415,7 @@ impl Graded for GridWalk {
             hint: "The interval may end inside the last cell: can anything behind its end be hit?",
             answer: |q| {
                 let mut visits = beyond(q, f32::INFINITY);
-                visits.truncate(GridWalk::answer(q).len());
+                visits.truncate(GridWalk::right(q).len());
                 visits
             },
         },
@@ -497,7 +496,7 @@ fn start(q: &GridWalk) -> f32 {
 }
 
 fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
-    GridWalk::answer(&GridWalk {
+    GridWalk::right(&GridWalk {
         within,
         ..q.clone()
     })
@@ -505,7 +504,7 @@ fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
 
 /// A walk to the end of the lattice, of a ray that enters the lattice within its interval; no distance is greater than `end`.
 fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
-    if GridWalk::answer(q).is_empty() {
+    if GridWalk::right(q).is_empty() {
         return Vec::new();
     }
     let visits = walked(q, Interval::new(q.within.min, f32::INFINITY)).into_iter();

@@ -5,7 +5,6 @@ use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::{self, range, triangle_meets_box};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
 impl Graded for VoxelsOfTriangle {
@@ -145,7 +144,7 @@ impl Graded for VoxelsOfTriangle {
             name: "takes only cells whose centre is near the triangle's plane",
             hint: "How far from its centre does a box reach along the triangle's normal: to a face, or to a corner?",
             answer: |q| {
-                let all = VoxelsOfTriangle::answer(q);
+                let all = VoxelsOfTriangle::right(q);
                 let n = (q.p1 - q.p0).cross(q.p2 - q.p0).normalize_or_zero();
                 let near = |cell: &Cell| {
                     let center =
@@ -175,7 +174,7 @@ impl Graded for VoxelsOfTriangle {
             name: "leaves out the last cell along each axis",
             hint: "The cell that holds the bounding box's greatest corner: is it in your loop?",
             answer: |q| {
-                let all = VoxelsOfTriangle::answer(q);
+                let all = VoxelsOfTriangle::right(q);
                 let last = all
                     .iter()
                     .fold(UVec3::ZERO, |last, c| last.max(uvec3(c.x, c.y, c.z)));

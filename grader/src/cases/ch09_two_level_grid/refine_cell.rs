@@ -37,7 +37,7 @@ fn without_those_outside(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) ->
 
 /// The reference's answer without the shapes that are dropped.
 fn without_shapes(q: &RefineCell, drops: impl Fn(&Corners) -> bool) -> RefineCellAnswer {
-    let mut answer = RefineCell::answer(q);
+    let mut answer = RefineCell::right(q);
     let kept = |entry: &Entry| !drops(&q.shapes[entry.shape as usize]);
     answer.entries.retain(kept);
     answer
@@ -209,7 +209,7 @@ impl Graded for RefineCell {
             name: "names every shape in the first fine cell",
             hint: "A shape reaches fine cells: of which grid are the numbers that you name, of the fine one or of the coarse one?",
             answer: |q| {
-                let right = RefineCell::answer(q);
+                let right = RefineCell::right(q);
                 let first = |shape| Entry {
                     x: 0,
                     y: 0,
@@ -227,7 +227,7 @@ impl Graded for RefineCell {
                 if q.shapes.is_empty() {
                     cut(q, UVec3::ONE)
                 } else {
-                    RefineCell::answer(q)
+                    RefineCell::right(q)
                 }
             },
         },
@@ -254,7 +254,7 @@ impl Graded for RefineCell {
             name: "swaps x and z",
             hint: "How many fine cells are there along a long side of the cell, and how many along a short one?",
             answer: |q| {
-                let answer = RefineCell::answer(q);
+                let answer = RefineCell::right(q);
                 let entry = |e: &Entry| Entry {
                     x: e.z,
                     z: e.x,
@@ -277,7 +277,7 @@ impl Graded for RefineCell {
             name: "names only shapes that lie within a cell as a whole",
             hint: "A shape that sticks out of a cell: which list finds the part inside?",
             answer: |q| {
-                let mut answer = RefineCell::answer(q);
+                let mut answer = RefineCell::right(q);
                 let n = UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3();
                 let size = (q.max - q.min) / n.max(Vec3::ONE);
                 answer.entries.retain(|entry| {
@@ -342,7 +342,7 @@ impl Graded for RefineCell {
             name: "divides the coarse cell's greatest corner, not its extents, for a fine cell's extents",
             hint: "How long is a fine cell, if four of them lie between x = 2 and x = 3?",
             answer: |q| {
-                let right = RefineCell::answer(q);
+                let right = RefineCell::right(q);
                 let n = Vec3::new(right.nx as f32, right.ny as f32, right.nz as f32);
                 let size = q.max / n;
                 let last = n - 1.0;
@@ -379,7 +379,7 @@ impl Graded for RefineCell {
 /// an empty cell.
 fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCellAnswer {
     if q.shapes.is_empty() {
-        return RefineCell::answer(q);
+        return RefineCell::right(q);
     }
     let Cell { x, y, z } = GridResolution::answer(&GridResolution {
         extents,
@@ -428,7 +428,7 @@ fn depth(fine: &Lattice, cell: UVec3, shape: &Corners) -> f32 {
 
 /// The answer without the last cell that each shape reaches along some axes.
 fn without_last(q: &RefineCell, axes: [bool; 3]) -> RefineCellAnswer {
-    let mut answer = RefineCell::answer(q);
+    let mut answer = RefineCell::right(q);
     let at = |entry: &Entry| [entry.x, entry.y, entry.z];
     let mut last = vec![[0; 3]; q.shapes.len()];
     for entry in &answer.entries {

@@ -9,7 +9,6 @@ use glam::{UVec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::walk;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
 use std::ops::ControlFlow;
 
@@ -25,7 +24,7 @@ pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
 fn by_coarse_cell(q: &TwoLevelWalk) -> Vec<(u32, u32, Vec<u32>)> {
     let levels = q.levels();
     let mut groups: Vec<(u32, u32, Vec<u32>)> = Vec::new();
-    for place in TwoLevelWalk::answer(q) {
+    for place in TwoLevelWalk::right(q) {
         let cut = levels
             .cuts
             .iter()
@@ -235,7 +234,7 @@ impl Graded for TwoLevelWalk {
             name: "leaves out the last cell",
             hint: "When does your loop end: before the last cell is listed, or after it?",
             answer: |q| {
-                let mut cells = TwoLevelWalk::answer(q);
+                let mut cells = TwoLevelWalk::right(q);
                 cells.pop();
                 cells
             },
@@ -243,12 +242,12 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "leaves out the first cell",
             hint: "Is the first cell listed before the first step, or after it?",
-            answer: |q| TwoLevelWalk::answer(q).into_iter().skip(1).collect(),
+            answer: |q| TwoLevelWalk::right(q).into_iter().skip(1).collect(),
         },
         Mistake {
             name: "visits the cells from back to front",
             hint: "In which cell would the nearest hit be?",
-            answer: |q| TwoLevelWalk::answer(q).into_iter().rev().collect(),
+            answer: |q| TwoLevelWalk::right(q).into_iter().rev().collect(),
         },
         Mistake {
             name: "begins behind the ray's origin",
@@ -268,7 +267,7 @@ impl Graded for TwoLevelWalk {
                         .filter(|cut| cut.resolution.x == 0)
                         .count() as u32
                 };
-                TwoLevelWalk::answer(q)
+                TwoLevelWalk::right(q)
                     .into_iter()
                     .map(|place| place + before(place))
                     .collect()
@@ -315,7 +314,7 @@ impl Graded for TwoLevelWalk {
                         .rposition(|cut| cut.first <= place && cut.resolution.x > 0)
                         .unwrap_or(0) as u32
                 };
-                TwoLevelWalk::answer(q).into_iter().map(of).collect()
+                TwoLevelWalk::right(q).into_iter().map(of).collect()
             },
         },
         Mistake {
@@ -382,7 +381,7 @@ fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u
         let at = place - cut.first;
         cut.first + number(q, [at % n[0], at / n[0] % n[1], at / n[0] / n[1]], n)
     };
-    TwoLevelWalk::answer(q)
+    TwoLevelWalk::right(q)
         .into_iter()
         .map(renumbered)
         .collect()
@@ -399,7 +398,7 @@ fn before_is(q: &TwoLevelWalk, before: impl Fn(&[UVec3]) -> u32) -> Vec<u32> {
             .rposition(|cut| cut.first <= place && cut.resolution.x > 0);
         of.map_or(place, |of| place - cuts[of].first + before(&along[..=of]))
     };
-    TwoLevelWalk::answer(q).into_iter().map(moved).collect()
+    TwoLevelWalk::right(q).into_iter().map(moved).collect()
 }
 
 /// The place of a cell x, y, z of nx × ny × nz.

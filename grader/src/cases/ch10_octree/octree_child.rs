@@ -3,7 +3,6 @@
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::Vec3;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch10_octree::OctreeChild;
 
 impl Graded for OctreeChild {
@@ -48,7 +47,7 @@ impl Graded for OctreeChild {
             name: "counts x as the highest bit",
             hint: "Move the point along x from one half to the other: by how much does the number change?",
             answer: |q| {
-                let n = OctreeChild::answer(q);
+                let n = OctreeChild::right(q);
                 (n & 1) << 2 | n & 2 | n >> 2
             },
         },
@@ -56,14 +55,14 @@ impl Graded for OctreeChild {
             name: "swaps y and z",
             hint: "Which of the three coordinates is worth 4?",
             answer: |q| {
-                let n = OctreeChild::answer(q);
+                let n = OctreeChild::right(q);
                 n & 1 | (n & 2) << 1 | (n & 4) >> 1
             },
         },
         Mistake {
             name: "counts the upper half as 0",
             hint: "Which child has the number 0: the one at the least corner or at the greatest?",
-            answer: |q| 7 - OctreeChild::answer(q),
+            answer: |q| 7 - OctreeChild::right(q),
         },
         Mistake {
             name: "puts a point on a middle plane into the lower half",
@@ -83,43 +82,43 @@ impl Graded for OctreeChild {
         Mistake {
             name: "looks at x and y only",
             hint: "A quad-tree has four children; how many has an octree?",
-            answer: |q| OctreeChild::answer(q) & 3,
+            answer: |q| OctreeChild::right(q) & 3,
         },
         Mistake {
             name: "counts the children from 1",
             hint: "Which is the smallest number of a child?",
-            answer: |q| OctreeChild::answer(q) + 1,
+            answer: |q| OctreeChild::right(q) + 1,
         },
         Mistake {
             name: "looks at x and z only",
             hint: "A quad-tree has four children; how many has an octree?",
-            answer: |q| OctreeChild::answer(q) & 5,
+            answer: |q| OctreeChild::right(q) & 5,
         },
         Mistake {
             name: "looks at y and z only",
             hint: "A quad-tree has four children; how many has an octree?",
-            answer: |q| OctreeChild::answer(q) & 6,
+            answer: |q| OctreeChild::right(q) & 6,
         },
         Mistake {
             name: "counts the lower half along x as 1",
             hint: "What does the bit of x say: upper, or lower?",
-            answer: |q| OctreeChild::answer(q) ^ 1,
+            answer: |q| OctreeChild::right(q) ^ 1,
         },
         Mistake {
             name: "counts the lower half along y as 1",
             hint: "What does the bit of y say: upper, or lower?",
-            answer: |q| OctreeChild::answer(q) ^ 2,
+            answer: |q| OctreeChild::right(q) ^ 2,
         },
         Mistake {
             name: "counts the lower half along z as 1",
             hint: "What does the bit of z say: upper, or lower?",
-            answer: |q| OctreeChild::answer(q) ^ 4,
+            answer: |q| OctreeChild::right(q) ^ 4,
         },
         Mistake {
             name: "looks at the next axis only if the point is in the lower half along those before (else if)",
             hint: "A point in the upper half along all three axes: how many of your conditions are asked?",
             answer: |q| {
-                let n = OctreeChild::answer(q);
+                let n = OctreeChild::right(q);
                 n & n.wrapping_neg()
             },
         },
@@ -127,7 +126,7 @@ impl Graded for OctreeChild {
             name: "takes 1, 2 and 3 for the weights of x, y and z",
             hint: "How many children are there, and how many different sums do your three weights have?",
             answer: |q| {
-                let n = OctreeChild::answer(q);
+                let n = OctreeChild::right(q);
                 (n & 1) + (n & 2) + 3 * (n >> 2)
             },
         },
@@ -156,5 +155,5 @@ pub(super) fn bits(above: glam::BVec3) -> u32 {
 /// The child, where a point on the middle plane of the axis of this bit is in the lower half.
 fn middle_is_below(q: &OctreeChild, bit: u32) -> u32 {
     let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
-    OctreeChild::answer(q) & (above | !bit)
+    OctreeChild::right(q) & (above | !bit)
 }

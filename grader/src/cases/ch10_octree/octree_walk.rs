@@ -8,7 +8,6 @@ use crate::{
 use rand::RngExt;
 use raybook::inside::octree::{Kind, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 use raybook_workbook::octree_rows::NodeRow;
 
@@ -58,7 +57,7 @@ fn nearest_only(q: &OctreeWalk) -> Vec<u32> {
 }
 
 fn walked(q: &OctreeWalk, ray: Ray, within: Interval) -> Vec<u32> {
-    OctreeWalk::answer(&OctreeWalk {
+    OctreeWalk::right(&OctreeWalk {
         ray,
         within,
         ..q.clone()
@@ -155,7 +154,7 @@ impl Graded for OctreeWalk {
             name: "visits the children in the order of their numbers",
             hint: "A ray that runs towards −x meets the upper half first.",
             answer: |q| {
-                let mut leaves = OctreeWalk::answer(q);
+                let mut leaves = OctreeWalk::right(q);
                 leaves.sort_unstable();
                 leaves
             },
@@ -168,7 +167,7 @@ impl Graded for OctreeWalk {
         Mistake {
             name: "stops after the first leaf",
             hint: "If the first leaf has no hit, where is the next one?",
-            answer: |q| OctreeWalk::answer(q).into_iter().take(1).collect(),
+            answer: |q| OctreeWalk::right(q).into_iter().take(1).collect(),
         },
         Mistake {
             name: "goes into the nearest child of each node only",
@@ -181,7 +180,7 @@ impl Graded for OctreeWalk {
             answer: |q| {
                 let root = &q.nodes[0];
                 let near = |leaf: &u32| *leaf < root.first + 8;
-                let all = OctreeWalk::answer(q).into_iter();
+                let all = OctreeWalk::right(q).into_iter();
                 all.filter(|leaf| root.inner == 0 || near(leaf)).collect()
             },
         },
@@ -219,14 +218,14 @@ impl Graded for OctreeWalk {
                 if along {
                     Vec::new()
                 } else {
-                    OctreeWalk::answer(q)
+                    OctreeWalk::right(q)
                 }
             },
         },
         Mistake {
             name: "visits the leaves from back to front",
             hint: "In which leaf would the nearest hit be?",
-            answer: |q| OctreeWalk::answer(q).into_iter().rev().collect(),
+            answer: |q| OctreeWalk::right(q).into_iter().rev().collect(),
         },
         Mistake {
             name: "names empty leaves too",
@@ -246,7 +245,7 @@ impl Graded for OctreeWalk {
             hint: "Child 1 is the upper one along which axis?",
             answer: |q| {
                 let turned = |v: glam::Vec3| glam::vec3(v.z, v.y, v.x);
-                OctreeWalk::answer(&OctreeWalk {
+                OctreeWalk::right(&OctreeWalk {
                     ray: Ray::new(
                         turned(q.ray.origin),
                         Dir3::new_or(turned(*q.ray.direction), Dir3::X),
@@ -261,7 +260,7 @@ impl Graded for OctreeWalk {
             name: "leaves out the last leaf",
             hint: "When does your loop end: before the last leaf is listed, or after it?",
             answer: |q| {
-                let mut leaves = OctreeWalk::answer(q);
+                let mut leaves = OctreeWalk::right(q);
                 leaves.pop();
                 leaves
             },
@@ -269,7 +268,7 @@ impl Graded for OctreeWalk {
         Mistake {
             name: "leaves out the first leaf",
             hint: "Is the first leaf listed before the first step, or after it?",
-            answer: |q| OctreeWalk::answer(q).into_iter().skip(1).collect(),
+            answer: |q| OctreeWalk::right(q).into_iter().skip(1).collect(),
         },
         Mistake {
             name: "takes the order of the children from the direction's x only",
@@ -299,7 +298,7 @@ impl Graded for OctreeWalk {
             name: "returns a leaf's `first`, not the leaf's number",
             hint: "A leaf's `first` is a place in another list: which number names the leaf itself?",
             answer: |q| {
-                OctreeWalk::answer(q)
+                OctreeWalk::right(q)
                     .into_iter()
                     .map(|leaf| q.nodes[leaf as usize].first)
                     .collect()
@@ -309,7 +308,7 @@ impl Graded for OctreeWalk {
             name: "looks at four children only",
             hint: "How many children has a node of an octree?",
             answer: |q| {
-                let (all, mut open) = (OctreeWalk::answer(q), vec![0]);
+                let (all, mut open) = (OctreeWalk::right(q), vec![0]);
                 let mut seen = Vec::new();
                 while let Some(node) = open.pop() {
                     let row = &q.nodes[node as usize];
@@ -344,7 +343,7 @@ impl Graded for OctreeWalk {
                     let cell = &cells[*leaf as usize];
                     cell.min.cmplt(start).all() && start.cmplt(cell.max).all()
                 };
-                let all = OctreeWalk::answer(q).into_iter();
+                let all = OctreeWalk::right(q).into_iter();
                 all.filter(|leaf| !is_around(leaf)).collect()
             },
         },
@@ -369,7 +368,7 @@ fn inner(first: u32) -> NodeRow {
 
 /// The right leaves in the order of a walk that turns other bits of the children's numbers.
 fn ordered(q: &OctreeWalk, turned: fn([f32; 3]) -> u32) -> Vec<u32> {
-    let right = OctreeWalk::answer(q);
+    let right = OctreeWalk::right(q);
     let mut found = Vec::new();
     below(q, 0, turned(q.ray.direction.to_array()), &mut |node| {
         if right.contains(&node) {

@@ -12,7 +12,6 @@ use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
 use std::cmp::Ordering;
@@ -232,7 +231,7 @@ impl Graded for BvhBuild {
             name: "gives every node the box of all",
             hint: "Which rays can be turned away at a box that is as large as the scene?",
             answer: |q| {
-                let mut tree = BvhBuild::answer(q);
+                let mut tree = BvhBuild::right(q);
                 let (min, max) = tree
                     .nodes
                     .first()
@@ -247,7 +246,7 @@ impl Graded for BvhBuild {
             name: "loses the last box",
             hint: "Count: how many boxes are in your leaves?",
             answer: |q| {
-                let mut tree = BvhBuild::answer(q);
+                let mut tree = BvhBuild::right(q);
                 tree.order.pop();
                 tree
             },
@@ -256,7 +255,7 @@ impl Graded for BvhBuild {
             name: "lets every leaf begin at the start of the order",
             hint: "Where does the second leaf begin in the order?",
             answer: |q| {
-                let mut tree = BvhBuild::answer(q);
+                let mut tree = BvhBuild::right(q);
                 for node in tree.nodes.iter_mut().filter(|n| n.count > 0) {
                     node.first = 0;
                 }
@@ -267,7 +266,7 @@ impl Graded for BvhBuild {
             name: "writes the number of a leaf's first box where its place in the order belongs",
             hint: "A leaf's boxes stand side by side in the order: does `first` say where there, or which box of the question it is?",
             answer: |q| {
-                let BvhBuildAnswer { mut nodes, order } = BvhBuild::answer(q);
+                let BvhBuildAnswer { mut nodes, order } = BvhBuild::right(q);
                 for node in nodes.iter_mut().filter(|n| n.count > 0) {
                     node.first = order[node.first as usize];
                 }

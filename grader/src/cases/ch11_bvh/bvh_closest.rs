@@ -8,7 +8,6 @@ use crate::{
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
@@ -144,7 +143,7 @@ impl Graded for BvhClosest {
             name: "returns the number of the first triangle in the leaf that is hit",
             hint: "A leaf of two triangles, of which the second is hit: what is its number?",
             answer: |q| {
-                let mut answer = Self::answer(q);
+                let mut answer = Self::right(q);
                 if let Some(hit) = &mut answer.hit {
                     let leaf = leaf_of(q, hit.id);
                     hit.id = leaf.map_or(hit.id, |leaf| leaf.first);
@@ -166,7 +165,7 @@ impl Graded for BvhClosest {
             name: "begins to count the tests at 1",
             hint: "A ray that misses all boxes: how many triangles does it test?",
             answer: |q| {
-                let right = q.answer();
+                let right = q.right();
                 BvhClosestAnswer {
                     tests: right.tests + 1,
                     ..right
@@ -182,7 +181,7 @@ impl Graded for BvhClosest {
             name: "returns the number of the triangle in its leaf",
             hint: "Where does the number of a triangle come from: its place in the list of all triangles, or in its leaf?",
             answer: |q| {
-                let mut answer = Self::answer(q);
+                let mut answer = Self::right(q);
                 if let Some(hit) = &mut answer.hit {
                     let leaf = leaf_of(q, hit.id);
                     hit.id -= leaf.map_or(0, |leaf| leaf.first);
@@ -194,7 +193,7 @@ impl Graded for BvhClosest {
             name: "counts one box for each branch",
             hint: "Both children's boxes are asked when a branch is opened: how many tests are that?",
             answer: |q| {
-                let right = q.answer();
+                let right = q.right();
                 BvhClosestAnswer {
                     boxes: right.boxes / 2,
                     ..right

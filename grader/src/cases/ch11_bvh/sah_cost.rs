@@ -4,7 +4,6 @@ use super::{area, heaps, tree};
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::SahCost;
 use raybook_workbook::tree_rows::NodeRow;
 
@@ -47,13 +46,13 @@ impl Graded for SahCost {
         Mistake {
             name: "forgets to divide by the root's area",
             hint: "Make everything twice as large: does a search take longer?",
-            answer: |q| SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
+            answer: |q| SahCost::right(q) * q.nodes.first().map_or(1.0, node_area),
         },
         Mistake {
             name: "divides by the number of nodes, not by the root's area",
             hint: "The chance that a ray which meets the root also meets a node is a ratio of two areas: of which?",
             answer: |q| {
-                SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area)
+                SahCost::right(q) * q.nodes.first().map_or(1.0, node_area)
                     / q.nodes.len().max(1) as f32
             },
         },
@@ -65,7 +64,7 @@ impl Graded for SahCost {
         Mistake {
             name: "takes half of each area, and forgets to divide by the root's",
             hint: "Make everything twice as large: does a search take longer?",
-            answer: |q| 0.5 * SahCost::answer(q) * q.nodes.first().map_or(1.0, node_area),
+            answer: |q| 0.5 * SahCost::right(q) * q.nodes.first().map_or(1.0, node_area),
         },
         Mistake {
             name: "counts the leaves only",
@@ -98,7 +97,7 @@ impl Graded for SahCost {
         Mistake {
             name: "leaves out the root",
             hint: "With what probability does a ray that meets the root's box open the root?",
-            answer: |q| SahCost::answer(q) - q.nodes.first().map_or(0.0, |n| node_price(q, n)),
+            answer: |q| SahCost::right(q) - q.nodes.first().map_or(0.0, |n| node_price(q, n)),
         },
         Mistake {
             name: "weighs every node alike, whatever its area",

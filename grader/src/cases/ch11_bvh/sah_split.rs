@@ -4,7 +4,6 @@ use super::{area, around, center, crowd, heaps, no_dearer};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
 use raybook_workbook::tree_rows::BoxRow;
 
@@ -177,7 +176,7 @@ impl Graded for SahSplit {
             name: "returns the boxes on the right of the cut",
             hint: "Which end of the sorted row is the left one: the one with the least coordinates, or the other?",
             answer: |q| {
-                let left = SahSplit::answer(q);
+                let left = SahSplit::right(q);
                 let all = 0..q.boxes.len() as u32;
                 all.filter(|i| !left.contains(i)).collect()
             },

@@ -7,7 +7,6 @@ use super::highlight::{
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::BlinnPhongExercise;
 
 impl Graded for BlinnPhongExercise {
@@ -91,7 +90,7 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "lights the matte part from both sides",
             hint: "Put the light below the surface: how much of its light arrives at the upper side?",
-            answer: |q| BlinnPhongExercise::answer(q) + matte_from_below(&q.at),
+            answer: |q| BlinnPhongExercise::right(q) + matte_from_below(&q.at),
         },
         Mistake {
             name: "divides by 0 where L + V is 0",

@@ -7,7 +7,6 @@ use super::highlight::{
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::PhongExercise;
 
 impl Graded for PhongExercise {
@@ -51,7 +50,7 @@ impl Graded for PhongExercise {
         Mistake {
             name: "lights the matte part from both sides",
             hint: "Put the light below the surface: how much of its light arrives at the upper side?",
-            answer: |q| PhongExercise::answer(q) + matte_from_below(&q.at),
+            answer: |q| PhongExercise::right(q) + matte_from_below(&q.at),
         },
         Mistake {
             name: "mirrors the wrong way",

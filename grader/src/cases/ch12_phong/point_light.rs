@@ -5,12 +5,11 @@ use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch12_phong::{Arriving, PointLightExercise};
 
 /// What arrives, changed by a function of the distance.
 fn falling_off(q: &PointLightExercise, by: fn(f32) -> f32) -> Option<Arriving> {
-    let right = PointLightExercise::answer(q)?;
+    let right = PointLightExercise::right(q)?;
     let arriving = q.intensity * by(right.distance);
     Some(Arriving { arriving, ..right })
 }
@@ -75,7 +74,7 @@ impl Graded for PointLightExercise {
             name: "points away from the light",
             hint: "To the light, or from it: which of two points do you subtract from which?",
             answer: |q| {
-                let right = PointLightExercise::answer(q)?;
+                let right = PointLightExercise::right(q)?;
                 Some(Arriving {
                     toward: -right.toward,
                     ..right
@@ -86,7 +85,7 @@ impl Graded for PointLightExercise {
             name: "forgets to normalise the direction",
             hint: "How long is the vector from the point to the light?",
             answer: |q| {
-                let right = PointLightExercise::answer(q)?;
+                let right = PointLightExercise::right(q)?;
                 Some(Arriving {
                     toward: right.toward * right.distance,
                     ..right
@@ -96,13 +95,13 @@ impl Graded for PointLightExercise {
         Mistake {
             name: "takes a near light for one at the point itself",
             hint: "A lamp of a millimetre's distance: is there no direction to it?",
-            answer: |q| PointLightExercise::answer(q).filter(|right| right.distance > 0.005),
+            answer: |q| PointLightExercise::right(q).filter(|right| right.distance > 0.005),
         },
         Mistake {
             name: "returns the squared distance",
             hint: "In which unit is your distance?",
             answer: |q| {
-                let right = PointLightExercise::answer(q)?;
+                let right = PointLightExercise::right(q)?;
                 Some(Arriving {
                     distance: right.distance * right.distance,
                     ..right
@@ -123,7 +122,7 @@ impl Graded for PointLightExercise {
                     distance: 0.0,
                     arriving: q.intensity,
                 };
-                PointLightExercise::answer(q).or(Some(there))
+                PointLightExercise::right(q).or(Some(there))
             },
         },
         Mistake {

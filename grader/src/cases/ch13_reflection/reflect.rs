@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch13_reflection::Reflect;
 
 /// (i·n) n: the part of i that is perpendicular to the surface.
@@ -33,7 +32,7 @@ impl Graded for Reflect {
         Mistake {
             name: "turns round the part of i along the surface, not the part along the normal",
             hint: "Which part of i turns round at the mirror: the one along the surface, or the one perpendicular to it?",
-            answer: |q| -Reflect::answer(q),
+            answer: |q| -Reflect::right(q),
         },
         Mistake {
             name: "forgets the 2",
@@ -95,7 +94,7 @@ impl Graded for Reflect {
             hint: "The normal may point to either side: what becomes of a ray that runs against it?",
             answer: |q| {
                 if q.incoming.dot(*q.normal) > 0.0 {
-                    Reflect::answer(q)
+                    Reflect::right(q)
                 } else {
                     *q.incoming
                 }
@@ -106,7 +105,7 @@ impl Graded for Reflect {
             hint: "The normal may point to either side: what becomes of a ray that runs along it?",
             answer: |q| {
                 if q.incoming.dot(*q.normal) < 0.0 {
-                    Reflect::answer(q)
+                    Reflect::right(q)
                 } else {
                     *q.incoming
                 }

@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::material::fresnel;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch14_refraction::{Fresnel, FresnelAnswer};
 
 impl Graded for Fresnel {
@@ -44,7 +43,7 @@ impl Graded for Fresnel {
             name: "exchanges Rs and Rp",
             hint: "At Brewster's angle, which polarisation is not reflected?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, r } = Fresnel::right(q);
                 FresnelAnswer { rs: rp, rp: rs, r }
             },
         },
@@ -52,7 +51,7 @@ impl Graded for Fresnel {
             name: "uses the formula of Rs for Rp too",
             hint: "At Brewster's angle one of the two is zero: is one of yours?",
             answer: |q| {
-                let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, .. } = Fresnel::right(q);
                 mean(rs, rs)
             },
         },
@@ -60,7 +59,7 @@ impl Graded for Fresnel {
             name: "uses the formula of Rp for Rs too",
             hint: "At Brewster's angle only one of the two is zero: is the other one of yours above 0?",
             answer: |q| {
-                let FresnelAnswer { rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rp, .. } = Fresnel::right(q);
                 mean(rp, rp)
             },
         },
@@ -68,7 +67,7 @@ impl Graded for Fresnel {
             name: "forgets to square both amplitudes",
             hint: "Your fractions are those of the field's amplitude: with which power of the amplitude does the light's power go?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 mean(rs.sqrt(), rp.sqrt())
             },
         },
@@ -77,7 +76,7 @@ impl Graded for Fresnel {
             hint: "Where no light goes through, where does it all go?",
             answer: |q| {
                 if cos2(q).is_some() {
-                    Fresnel::answer(q)
+                    Fresnel::right(q)
                 } else {
                     mean(0.0, 0.0)
                 }
@@ -111,7 +110,7 @@ impl Graded for Fresnel {
             name: "exchanges the two media",
             hint: "Out of glass, all is reflected from 42° on; into glass, never. Try 60° both ways.",
             answer: |q| {
-                Fresnel::answer(&Fresnel {
+                Fresnel::right(&Fresnel {
                     cos1: q.cos1,
                     n1: q.n2,
                     n2: q.n1,
@@ -122,7 +121,7 @@ impl Graded for Fresnel {
             name: "takes the sum of Rs and Rp for R",
             hint: "Unpolarised light is half of one kind and half of the other.",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 let r = if cos2(q).is_some() { rs + rp } else { 1.0 };
                 FresnelAnswer { rs, rp, r }
             },
@@ -131,7 +130,7 @@ impl Graded for Fresnel {
             name: "leaves Rp out of R",
             hint: "Unpolarised light is half of one kind and half of the other: where is the other half in yours?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 FresnelAnswer { rs, rp, r: rs }
             },
         },
@@ -139,7 +138,7 @@ impl Graded for Fresnel {
             name: "takes the product of Rs and Rp for R",
             hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 FresnelAnswer { rs, rp, r: rs * rp }
             },
         },
@@ -150,7 +149,7 @@ impl Graded for Fresnel {
                 cos2(q).map_or_else(
                     || mean(1.0, 1.0),
                     |cos2| {
-                        let FresnelAnswer { rp, .. } = Fresnel::answer(q);
+                        let FresnelAnswer { rp, .. } = Fresnel::right(q);
                         let (a, b) = (q.n1 * q.cos1, q.n2 * cos2);
                         mean((a - b) / (a + b), rp)
                     },
@@ -164,7 +163,7 @@ impl Graded for Fresnel {
                 cos2(q).map_or_else(
                     || mean(1.0, 1.0),
                     |cos2| {
-                        let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                        let FresnelAnswer { rs, .. } = Fresnel::right(q);
                         let (a, b) = (q.n1 * cos2, q.n2 * q.cos1);
                         mean(rs, (a - b) / (a + b))
                     },
@@ -178,7 +177,7 @@ impl Graded for Fresnel {
                 cos2(q).map_or_else(
                     || mean(1.0, 1.0),
                     |cos2| {
-                        let FresnelAnswer { rs, .. } = Fresnel::answer(q);
+                        let FresnelAnswer { rs, .. } = Fresnel::right(q);
                         let rp = (q.n1 * cos2 - q.n2 * q.cos1) / (q.n1 * q.cos1 + q.n2 * cos2);
                         mean(rs, rp * rp)
                     },
@@ -189,7 +188,7 @@ impl Graded for Fresnel {
             name: "takes the geometric mean of Rs and Rp for R",
             hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 FresnelAnswer {
                     rs,
                     rp,
@@ -201,7 +200,7 @@ impl Graded for Fresnel {
             name: "returns Schlick's approximation for R, beside the exact Rs and Rp",
             hint: "R is the mean of Rs and Rp: why approximate what you have?",
             answer: |q| {
-                let FresnelAnswer { rs, rp, .. } = Fresnel::answer(q);
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
                 FresnelAnswer {
                     rs,
                     rp,
@@ -249,7 +248,7 @@ impl Graded for Fresnel {
             name: "exchanges the two media where the first is the denser one",
             hint: "Out of glass, all is reflected from 42° on: is there such an angle in yours?",
             answer: |q| {
-                Fresnel::answer(&Fresnel {
+                Fresnel::right(&Fresnel {
                     n1: q.n1.min(q.n2),
                     n2: q.n1.max(q.n2),
                     ..*q
@@ -263,7 +262,7 @@ impl Graded for Fresnel {
                 if q.n1 > q.n2 && q.cos1 < q.n2 / q.n1 {
                     mean(1.0, 1.0)
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -272,7 +271,7 @@ impl Graded for Fresnel {
             hint: "Snell's law is about the angles' sines: how do you come from a cosine to a sine, and back?",
             answer: |q| match cos2(q) {
                 Some(_) => shares(q.n1, q.cos1, q.n2, q.n1 / q.n2 * q.cos1),
-                None => Fresnel::answer(q),
+                None => Fresnel::right(q),
             },
         },
         Mistake {
@@ -310,7 +309,7 @@ fn near_the_critical_angle(rng: &mut Pcg, asked: &Fresnel) -> Fresnel {
 
 /// The answer whose R is the square of half of what is made of the two amplitudes.
 fn by_amplitudes(q: &Fresnel, both: fn(f32, f32) -> f32) -> FresnelAnswer {
-    let FresnelAnswer { rs, rp, r } = Fresnel::answer(q);
+    let FresnelAnswer { rs, rp, r } = Fresnel::right(q);
     let r = cos2(q).map_or(r, |cos2| {
         let amplitude = |a: f32, b: f32| (a - b) / (a + b);
         let s = amplitude(q.n1 * q.cos1, q.n2 * cos2);

@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch14_refraction::Refract;
 
 impl Graded for Refract {
@@ -71,7 +70,7 @@ impl Graded for Refract {
             answer: |q| {
                 let n = facing(q);
                 let mirrored = *q.direction - 2.0 * q.direction.dot(n) * n;
-                Some(Refract::answer(q).unwrap_or(mirrored))
+                Some(Refract::right(q).unwrap_or(mirrored))
             },
         },
         Mistake {
@@ -80,7 +79,7 @@ impl Graded for Refract {
             answer: |q| {
                 let n = facing(q);
                 let along = *q.direction - q.direction.dot(n) * n;
-                Refract::answer(q).or(Some(along.normalize_or_zero()))
+                Refract::right(q).or(Some(along.normalize_or_zero()))
             },
         },
         Mistake {
@@ -102,7 +101,7 @@ impl Graded for Refract {
         Mistake {
             name: "goes straight on",
             hint: "Where are the two indices in your formula?",
-            answer: |q| Refract::answer(q).map(|_| *q.direction),
+            answer: |q| Refract::right(q).map(|_| *q.direction),
         },
         Mistake {
             name: "takes the incoming ray's cosine for the refracted ray's",
@@ -159,7 +158,7 @@ impl Graded for Refract {
         Mistake {
             name: "goes straight on where it is totally reflected",
             hint: "What does it mean if the sine of an angle would be larger than 1?",
-            answer: |q| Refract::answer(q).or(Some(*q.direction)),
+            answer: |q| Refract::right(q).or(Some(*q.direction)),
         },
         Mistake {
             name: "turns round the part of the direction along the surface",

@@ -118,7 +118,7 @@ impl Graded for Lit {
         Mistake {
             name: "answers the other way round",
             hint: "Something is in the way: is the point lit?",
-            answer: |q| 1 - Lit::answer(q),
+            answer: |q| 1 - Lit::right(q),
         },
         Mistake {
             name: "starts on the surface itself",
@@ -135,7 +135,7 @@ impl Graded for Lit {
             hint: "A hit at a negative t is not between the point and the light.",
             answer: |q| {
                 let behind = Interval::new(f32::NEG_INFINITY, -0.1);
-                Lit::answer(q) * u32::from(!blocked(q, &others(q), behind))
+                Lit::right(q) * u32::from(!blocked(q, &others(q), behind))
             },
         },
         Mistake {
@@ -143,7 +143,7 @@ impl Graded for Lit {
             hint: "Any of the spheres may be in the way: do you ask them all?",
             answer: |q| {
                 let spheres = q.spheres.iter().take(1).cloned().collect();
-                Lit::answer(&Lit {
+                Lit::right(&Lit {
                     spheres,
                     ..q.clone()
                 })
@@ -159,7 +159,7 @@ impl Graded for Lit {
             hint: "A ball has a dark side: what is in the way there?",
             answer: |q| {
                 let spheres = others(q);
-                Lit::answer(&Lit {
+                Lit::right(&Lit {
                     spheres,
                     ..q.clone()
                 })
@@ -182,7 +182,7 @@ impl Graded for Lit {
                 if q.normal.dot(*q.toward) <= 0.0 {
                     0
                 } else {
-                    Lit::answer(q)
+                    Lit::right(q)
                 }
             },
         },
@@ -191,7 +191,7 @@ impl Graded for Lit {
             hint: "In which direction from the point is the light? What lies in the opposite direction?",
             answer: |q| {
                 let behind = Interval::new(f32::NEG_INFINITY, -2.0 * q.error);
-                Lit::answer(q) * u32::from(!blocked(q, &q.spheres, behind))
+                Lit::right(q) * u32::from(!blocked(q, &q.spheres, behind))
             },
         },
         Mistake {
@@ -201,7 +201,7 @@ impl Graded for Lit {
                 let own = q.spheres.iter().any(|ball| {
                     (ball.center.distance(q.position) - ball.radius).abs() <= 0.05 * ball.radius
                 });
-                Lit::answer(q) * u32::from(!own)
+                Lit::right(q) * u32::from(!own)
             },
         },
         Mistake {

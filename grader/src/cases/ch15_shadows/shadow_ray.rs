@@ -15,7 +15,7 @@ const ALONG_HINT: &str =
 
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
-    let right = ShadowRay::answer(q);
+    let right = ShadowRay::right(q);
     let within = Interval::new(min, right.within.max);
     Way {
         origin,
@@ -26,7 +26,7 @@ fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
 
 /// The right answer, with another end.
 fn ending(q: &ShadowRay, max: f32) -> Way {
-    let right = ShadowRay::answer(q);
+    let right = ShadowRay::right(q);
     Way {
         within: right.within.before(max),
         ..right
@@ -177,7 +177,7 @@ impl Graded for ShadowRay {
             name: "steps a fixed millimetre along the normal",
             hint: "Is a millimetre much on a grain of sand, and on a planet? Which number in the question says how far is enough?",
             answer: |q| {
-                let right = ShadowRay::answer(q);
+                let right = ShadowRay::right(q);
                 let side = right.direction.dot(*q.normal).signum();
                 starting(q, q.position + 1e-3 * side * *q.normal, 0.0)
             },
@@ -193,7 +193,7 @@ impl Graded for ShadowRay {
         Mistake {
             name: "lets the interval begin a metre behind the ray's origin",
             hint: "Which points of the ray does a negative distance name?",
-            answer: |q| starting(q, ShadowRay::answer(q).origin, -1.0),
+            answer: |q| starting(q, ShadowRay::right(q).origin, -1.0),
         },
         Mistake {
             name: "skips a quarter of the way",
@@ -221,7 +221,7 @@ impl Graded for ShadowRay {
             name: "gives the ray the length of the whole way, and lets the interval end at 1",
             hint: "A direction has length 1, so t is in metres: at which t is the light?",
             answer: |q| {
-                let right = ShadowRay::answer(q);
+                let right = ShadowRay::right(q);
                 let far = if q.distance.is_finite() {
                     q.distance
                 } else {
@@ -243,7 +243,7 @@ impl Graded for ShadowRay {
             name: "ends the interval at the square of the light's distance",
             hint: "What is the length of the way, and what is its dot product with itself?",
             answer: |q| {
-                let right = ShadowRay::answer(q);
+                let right = ShadowRay::right(q);
                 let square = q.distance * q.distance;
                 Way {
                     within: Interval::new(right.within.min, square),
@@ -259,14 +259,14 @@ impl Graded for ShadowRay {
                     toward: -q.toward,
                     ..q.clone()
                 };
-                ShadowRay::answer(&away)
+                ShadowRay::right(&away)
             },
         },
         Mistake {
             name: "sends the ray from the light to the point",
             hint: "Where is the surface that must not be found again: at the ray's beginning, or at its end?",
             answer: |q| {
-                let right = ShadowRay::answer(q);
+                let right = ShadowRay::right(q);
                 // The sun has no place to start from.
                 let start = q.position + q.distance * *q.toward;
                 Way {

@@ -7,7 +7,6 @@ use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{DVec2, Vec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleRect};
 use std::f32::consts::TAU;
 
@@ -150,7 +149,7 @@ impl Graded for SampleRect {
                     a: -q.a,
                     ..q.clone()
                 };
-                SampleRect::answer(q).or_else(|| SampleRect::answer(&front))
+                SampleRect::right(q).or_else(|| SampleRect::right(&front))
             },
         },
         Mistake {
@@ -172,7 +171,7 @@ impl Graded for SampleRect {
             name: "does not divide the radiance by the density",
             hint: "The mean of what arrives must not depend on how the points are chosen.",
             answer: |q| {
-                SampleRect::answer(q).map(|mut all| {
+                SampleRect::right(q).map(|mut all| {
                     for chosen in &mut all {
                         chosen.arriving = q.radiance;
                     }
@@ -199,7 +198,7 @@ impl Graded for SampleRect {
             name: "divides what arrives by the number of samples, too",
             hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
             answer: |q| {
-                let mut all = SampleRect::answer(q)?;
+                let mut all = SampleRect::right(q)?;
                 for chosen in &mut all {
                     chosen.arriving /= (q.n * q.n) as f32;
                 }
@@ -224,7 +223,7 @@ fn area(q: &SampleRect) -> f32 {
 
 /// The right answer with another density, of the cosine at the light and the right choice.
 fn spoil_rect(q: &SampleRect, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<Chosen>> {
-    let mut all = SampleRect::answer(q)?;
+    let mut all = SampleRect::right(q)?;
     for chosen in &mut all {
         let cosine = -chosen.toward.dot(q.a.cross(q.b).normalize_or_zero());
         chosen.pdf = pdf(cosine, chosen);
@@ -235,7 +234,7 @@ fn spoil_rect(q: &SampleRect, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<C
 
 /// Other points of the light, with the right density of uniform ones.
 fn chosen_rect(q: &SampleRect, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
-    SampleRect::answer(q)?;
+    SampleRect::right(q)?;
     let chosen = |u: Vec2| {
         let p = place(u);
         let r = q.corner + p.x * q.a + p.y * q.b - q.at;

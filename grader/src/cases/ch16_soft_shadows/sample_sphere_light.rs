@@ -7,7 +7,6 @@ use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
 use std::f32::consts::{PI, TAU};
 
@@ -184,7 +183,7 @@ impl Graded for SampleSphereLight {
             name: "returns the distance of the sphere's far side",
             hint: "Which of the two points where the line meets the sphere is seen?",
             answer: |q| {
-                let mut all = SampleSphereLight::answer(q);
+                let mut all = SampleSphereLight::right(q);
                 for chosen in &mut all {
                     let middle = (q.center - q.at).dot(chosen.toward);
                     chosen.distance = middle + (middle - chosen.distance).abs();
@@ -196,7 +195,7 @@ impl Graded for SampleSphereLight {
             name: "returns the distance of the centre",
             hint: "The light's surface is nearer than its centre.",
             answer: |q| {
-                let mut all = SampleSphereLight::answer(q);
+                let mut all = SampleSphereLight::right(q);
                 let distance = q.at.distance(q.center);
                 for chosen in &mut all {
                     chosen.distance = distance;
@@ -208,7 +207,7 @@ impl Graded for SampleSphereLight {
             name: "returns the distance of the sphere's nearest point for all directions",
             hint: "Only one of your directions goes through the sphere's centre: how far is the sphere along the others?",
             answer: |q| {
-                let mut all = SampleSphereLight::answer(q);
+                let mut all = SampleSphereLight::right(q);
                 let distance = q.at.distance(q.center) - q.radius;
                 for chosen in all.iter_mut().filter(|_| distance > 0.0) {
                     chosen.distance = distance;
@@ -256,7 +255,7 @@ impl Graded for SampleSphereLight {
                 if squared < 1.0 {
                     wide(q, squared)
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -268,7 +267,7 @@ impl Graded for SampleSphereLight {
                 if far > q.radius {
                     wide(q, 1.0 - far / far.hypot(q.radius))
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -277,7 +276,7 @@ impl Graded for SampleSphereLight {
             hint: "In which unit is the density: per square metre, or per steradian?",
             answer: |q| {
                 let pdf = 1.0 / (2.0 * TAU * q.radius * q.radius);
-                let chosen = Self::answer(q).into_iter();
+                let chosen = Self::right(q).into_iter();
                 chosen
                     .map(|c| Chosen {
                         pdf,
@@ -295,7 +294,7 @@ impl Graded for SampleSphereLight {
                 if far > q.radius {
                     wide(q, 1.0 - q.radius / far)
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -307,7 +306,7 @@ impl Graded for SampleSphereLight {
                 if far > q.radius {
                     wide(q, 1.0 - (1.0 - q.radius / far).sqrt())
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -371,7 +370,7 @@ impl Graded for SampleSphereLight {
             name: "divides what arrives by the number of samples, too",
             hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
             answer: |q| {
-                let mut all = Self::answer(q);
+                let mut all = Self::right(q);
                 for chosen in &mut all {
                     chosen.arriving /= (q.n * q.n) as f32;
                 }
@@ -386,7 +385,7 @@ impl Graded for SampleSphereLight {
                 if squared < 1.0 {
                     wide(q, 1.0 - (1.0 - squared).sqrt())
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },
@@ -416,7 +415,7 @@ impl Graded for SampleSphereLight {
 /// The right answer with another sine of the angle between a direction and the axis than its cosine has.
 fn with_sine(q: &SampleSphereLight, sine: fn(f32) -> f32) -> Vec<Chosen> {
     let axis = *Dir3::new_or(q.center - q.at, Dir3::Y);
-    let mut all = SampleSphereLight::answer(q);
+    let mut all = SampleSphereLight::right(q);
     for chosen in &mut all {
         let cosine = chosen.toward.dot(axis);
         let across = (chosen.toward - cosine * axis).normalize_or_zero();

@@ -10,7 +10,6 @@ use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::Shape;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use std::f32::consts::SQRT_2;
 
@@ -178,7 +177,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "returns the fraction that is in the dark",
             hint: "How much of the light is seen where nothing is in the way?",
-            answer: |q| VisibleFraction::answer(q).iter().map(|f| 1.0 - f).collect(),
+            answer: |q| VisibleFraction::right(q).iter().map(|f| 1.0 - f).collect(),
         },
         Mistake {
             name: "lets the shadow ray go on behind the light",
@@ -204,7 +203,7 @@ impl Graded for VisibleFraction {
             name: "takes every penumbra for full shadow",
             hint: "Something in the way of one sample is not in the way of all.",
             answer: |q| {
-                let all = VisibleFraction::answer(q);
+                let all = VisibleFraction::right(q);
                 all.iter()
                     .map(|f| if *f < 1.0 { 0.0 } else { 1.0 })
                     .collect()
@@ -215,8 +214,8 @@ impl Graded for VisibleFraction {
             hint: "Where does a × b point, and on which side of the light is the point?",
             answer: |q| {
                 let (front, back) = (
-                    VisibleFraction::answer(q),
-                    VisibleFraction::answer(&turned(q)),
+                    VisibleFraction::right(q),
+                    VisibleFraction::right(&turned(q)),
                 );
                 front
                     .iter()
@@ -228,12 +227,12 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "lets the wrong side of the light shine",
             hint: "Where does a × b point, and on which side of the light is the point?",
-            answer: |q| VisibleFraction::answer(&turned(q)),
+            answer: |q| VisibleFraction::right(&turned(q)),
         },
         Mistake {
             name: "returns half of the fraction",
             hint: "How much of the light is seen where nothing is in the way? Do you take as many samples as you divide by?",
-            answer: |q| VisibleFraction::answer(q).iter().map(|f| 0.5 * f).collect(),
+            answer: |q| VisibleFraction::right(q).iter().map(|f| 0.5 * f).collect(),
         },
         Mistake {
             name: "returns a count instead of a fraction",
@@ -405,7 +404,7 @@ impl Graded for VisibleFraction {
                     sum += f;
                     sum
                 };
-                VisibleFraction::answer(q).iter().map(counted).collect()
+                VisibleFraction::right(q).iter().map(counted).collect()
             },
         },
         Mistake {
@@ -434,7 +433,7 @@ impl Graded for VisibleFraction {
             answer: |q| {
                 // As many in a row as are seen before the first that is not: a whole number.
                 let before = |f: f32| ((f / (1.0 - f)).floor() / q.samples as f32).min(1.0);
-                let all = VisibleFraction::answer(q).into_iter();
+                let all = VisibleFraction::right(q).into_iter();
                 all.map(|f| if f < 1.0 { before(f) } else { f }).collect()
             },
         },

@@ -5,7 +5,6 @@ use crate::{Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::BrdfPhong;
 use std::f32::consts::{PI, TAU};
 
@@ -74,7 +73,7 @@ impl Graded for BrdfPhong {
         Mistake {
             name: "multiplies the whole BRDF by the cosine",
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
-            answer: |q| BrdfPhong::answer(q) * q.normal.dot(*q.toward),
+            answer: |q| BrdfPhong::right(q) * q.normal.dot(*q.toward),
         },
         Mistake {
             name: "divides the whole BRDF by the cosine",
@@ -82,7 +81,7 @@ impl Graded for BrdfPhong {
             answer: |q| {
                 let cosine = q.normal.dot(*q.toward);
                 if cosine > 0.0 {
-                    BrdfPhong::answer(q) / cosine
+                    BrdfPhong::right(q) / cosine
                 } else {
                     Rgb::BLACK
                 }

@@ -14,7 +14,7 @@ fn asks(direction: Dir3) -> DirectionToCube {
 
 /// The right answer, changed on some faces.
 fn on(q: &DirectionToCube, faces: &[u32], change: fn(CubePlace) -> CubePlace) -> CubePlace {
-    let right = DirectionToCube::answer(q);
+    let right = DirectionToCube::right(q);
     if faces.contains(&right.face) {
         change(right)
     } else {
@@ -39,7 +39,7 @@ fn on_axis(q: &DirectionToCube, axis: usize) -> CubePlace {
 
 /// The right face, with a place that is divided by the component along this axis.
 fn divided(q: &DirectionToCube, axis: usize) -> CubePlace {
-    let (p, d) = (DirectionToCube::answer(q), q.direction.abs());
+    let (p, d) = (DirectionToCube::right(q), q.direction.abs());
     let by = if d[axis] > 0.0 { d[axis] } else { 1.0 };
     let farther = |place: f32| 0.5 + (place - 0.5) * d.max_element() / by;
     CubePlace {
@@ -99,7 +99,7 @@ impl Graded for DirectionToCube {
             name: "sees the faces from outside",
             hint: "Stand in the cube and look along -z: is +x on your right or on your left?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CubePlace {
                     u: 1.0 - right.u,
                     ..right
@@ -110,7 +110,7 @@ impl Graded for DirectionToCube {
             name: "has the faces upside down",
             hint: "v runs downwards: what is v for a direction a little above the horizon?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CubePlace {
                     v: 1.0 - right.v,
                     ..right
@@ -121,7 +121,7 @@ impl Graded for DirectionToCube {
             name: "leaves the place between -1 and 1",
             hint: "The middle of a face is at (0.5, 0.5): what do you return for an axis?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CubePlace {
                     u: 2.0 * right.u - 1.0,
                     v: 2.0 * right.v - 1.0,
@@ -147,7 +147,7 @@ impl Graded for DirectionToCube {
             name: "counts the three positive faces before the three negative ones",
             hint: "Which number has the face -x: the one after +x, or the one after +z?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CubePlace {
                     face: right.face / 2 + 3 * (right.face % 2),
                     ..right
@@ -158,7 +158,7 @@ impl Graded for DirectionToCube {
             name: "has the faces of each pair exchanged",
             hint: "Is +x face 0 or face 1?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CubePlace {
                     face: right.face ^ 1,
                     ..right
@@ -169,7 +169,7 @@ impl Graded for DirectionToCube {
             name: "divides by the largest component with its sign, not by its absolute value",
             hint: "On the face -x the largest component is negative: what does dividing by it do to the other two?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let negative = right.face % 2 == 1;
                 let turned = |x: f32| if negative { 1.0 - x } else { x };
                 CubePlace {
@@ -184,7 +184,7 @@ impl Graded for DirectionToCube {
             hint: "At the edge of a face, u must be 0 or 1: the direction has to reach the cube's wall first.",
             answer: |q| {
                 let d = q.direction;
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let m = d.abs().max_element();
                 CubePlace {
                     u: 0.5 + (right.u - 0.5) * m,
@@ -197,7 +197,7 @@ impl Graded for DirectionToCube {
             name: "has ceiling and floor turned by half a turn",
             hint: "Look at -z and raise your eyes to the ceiling: where on it does it meet the wall -z?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let turned = |x: f32| {
                     if matches!(right.face, 2 | 3) {
                         1.0 - x
@@ -216,7 +216,7 @@ impl Graded for DirectionToCube {
             name: "exchanges the numbers of ceiling and floor",
             hint: "Which number has the face +y, and which -y?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let face = match right.face {
                     2 => 3,
                     3 => 2,
@@ -229,7 +229,7 @@ impl Graded for DirectionToCube {
             name: "exchanges the numbers of the faces +x and -x",
             hint: "Which number has the face +x, and which -x?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let face = match right.face {
                     0 => 1,
                     1 => 0,
@@ -242,7 +242,7 @@ impl Graded for DirectionToCube {
             name: "exchanges the numbers of the faces +z and -z",
             hint: "Which number has the face +z, and which -z?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let face = match right.face {
                     4 => 5,
                     5 => 4,
@@ -369,7 +369,7 @@ impl Graded for DirectionToCube {
             name: "takes y for v on all faces, on the ceiling and the floor too",
             hint: "All of the ceiling has the same y after the division: which axis runs down on it?",
             answer: |q| {
-                let p = Self::answer(q);
+                let p = Self::right(q);
                 let v = match p.face {
                     2 => 0.0,
                     3 => 1.0,
@@ -382,7 +382,7 @@ impl Graded for DirectionToCube {
             name: "takes x for u on all faces, on the walls +x and -x too",
             hint: "All of the wall +x has the same x after the division: which axis runs to the right on it?",
             answer: |q| {
-                let p = Self::answer(q);
+                let p = Self::right(q);
                 let u = match p.face {
                     0 => 1.0,
                     1 => 0.0,
@@ -395,7 +395,7 @@ impl Graded for DirectionToCube {
             name: "gives the positive face of a pair, whatever the sign is",
             hint: "Which face does the direction (-1, 0, 0) point at?",
             answer: |q| {
-                let p = Self::answer(q);
+                let p = Self::right(q);
                 let face = p.face - p.face % 2;
                 CubePlace { face, ..p }
             },
@@ -434,7 +434,7 @@ impl Graded for DirectionToCube {
             name: "exchanges the numbers of the faces of x with those of z",
             hint: "Which numbers have the faces +x and -x, and which +z and -z?",
             answer: |q| {
-                let p = Self::answer(q);
+                let p = Self::right(q);
                 let face = [4, 5, 2, 3, 0, 1][p.face as usize];
                 CubePlace { face, ..p }
             },
@@ -443,7 +443,7 @@ impl Graded for DirectionToCube {
             name: "spreads the places on a face by the angle, not by its tangent",
             hint: "A cube has flat walls: half way from the middle of a face to its edge, is the angle half as large?",
             answer: |q| {
-                let p = Self::answer(q);
+                let p = Self::right(q);
                 let by_angle = |x: f32| 0.5 + (2.0 * x - 1.0).atan() / std::f32::consts::FRAC_PI_2;
                 CubePlace {
                     u: by_angle(p.u),

@@ -6,7 +6,6 @@ use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch18_environment::DirectionToLatlong;
 use std::f64::consts::PI;
 
@@ -40,41 +39,41 @@ impl Graded for DirectionToLatlong {
         Mistake {
             name: "has left and right exchanged",
             hint: "Look along -z, the middle of the map: on which side of it is +x?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(-d.x, d.y, d.z))),
+            answer: |q| Self::right(&turned(q, |d| vec3(-d.x, d.y, d.z))),
         },
         Mistake {
             name: "counts v from the bottom",
             hint: "What is v for +y, straight up?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, -d.y, d.z))),
+            answer: |q| Self::right(&turned(q, |d| vec3(d.x, -d.y, d.z))),
         },
         Mistake {
             name: "begins with -z at the left edge",
             hint: "What is u for -z, which is in the middle?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 vec2((right.x + 0.5).fract(), right.y)
             },
         },
         Mistake {
             name: "has +z in the middle",
             hint: "Which sign of z is in the middle of the map?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.y, -d.z))),
+            answer: |q| Self::right(&turned(q, |d| vec3(d.x, d.y, -d.z))),
         },
         Mistake {
             name: "has +x in the middle",
             hint: "Which two components does the angle around the y axis come from, and in which order?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.z, d.y, -d.x))),
+            answer: |q| Self::right(&turned(q, |d| vec3(d.z, d.y, -d.x))),
         },
         Mistake {
             name: "takes the height for the angle from +y",
             hint: "v is an angle divided by π. Half way up the sky, at 45 degrees, v is 0.25: what is yours?",
-            answer: |q| vec2(Self::answer(q).x, 0.5 - 0.5 * q.direction.y),
+            answer: |q| vec2(Self::right(q).x, 0.5 - 0.5 * q.direction.y),
         },
         Mistake {
             name: "divides both angles by 2π",
             hint: "How large can the angle from +y get, and how large the one around it?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 vec2(right.x, 0.5 * right.y)
             },
         },
@@ -84,7 +83,7 @@ impl Graded for DirectionToLatlong {
             answer: |q| {
                 let d = q.direction;
                 let phi = (d.x / -d.z).atan();
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 if phi.is_nan() {
                     right
                 } else {
@@ -96,7 +95,7 @@ impl Graded for DirectionToLatlong {
             name: "takes π for the whole way round",
             hint: "How many radians is the way round the horizon?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 vec2((2.0 * right.x - 0.5).rem_euclid(1.0), right.y)
             },
         },
@@ -104,7 +103,7 @@ impl Graded for DirectionToLatlong {
             name: "takes the angle from +z for the angle from +y",
             hint: "Which axis points up on the map?",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let angle = q.direction.z.clamp(-1.0, 1.0).acos();
                 vec2(right.x, angle / std::f32::consts::PI)
             },
@@ -112,17 +111,17 @@ impl Graded for DirectionToLatlong {
         Mistake {
             name: "forgets on which side of the middle a direction is: the sign of x",
             hint: "An arc cosine is never negative: how do you tell left from right?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.x.abs(), d.y, d.z))),
+            answer: |q| Self::right(&turned(q, |d| vec3(d.x.abs(), d.y, d.z))),
         },
         Mistake {
             name: "takes +z for up, and looks along +y",
             hint: "Which axis is up on this map, and which is in its middle?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(d.x, d.z, -d.y))),
+            answer: |q| Self::right(&turned(q, |d| vec3(d.x, d.z, -d.y))),
         },
         Mistake {
             name: "has -x in the middle",
             hint: "Which two components does the angle around the y axis come from, and in which order?",
-            answer: |q| Self::answer(&turned(q, |d| vec3(-d.z, d.y, d.x))),
+            answer: |q| Self::right(&turned(q, |d| vec3(-d.z, d.y, d.x))),
         },
     ];
 

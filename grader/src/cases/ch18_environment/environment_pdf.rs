@@ -7,7 +7,6 @@ use glam::vec2;
 use raybook::light::environment::latlong;
 use raybook::math::pcg::Pcg;
 use raybook_chapters::kit::palette::viridis;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch18_environment::{EnvironmentPdf, SampleEnvironment};
 use std::f64::consts::PI;
 
@@ -133,7 +132,7 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "multiplies by the sine at the direction once more",
             hint: "A density per steradian is uniform inside a texel: does yours differ between two directions of the same texel?",
-            answer: |q| Self::answer(q) * q.direction.x.hypot(q.direction.z),
+            answer: |q| Self::right(q) * q.direction.x.hypot(q.direction.z),
         },
         Mistake {
             name: "forgets that rows differ in solid angle when it chooses them",
@@ -169,7 +168,7 @@ impl Graded for EnvironmentPdf {
             hint: "Which row does +y belong to?",
             answer: |q| {
                 let d = q.direction;
-                Self::answer(&EnvironmentPdf {
+                Self::right(&EnvironmentPdf {
                     direction: toward(d.x, -d.y, d.z),
                     ..q.clone()
                 })
@@ -217,7 +216,7 @@ impl Graded for EnvironmentPdf {
             hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {
                 let (x, y) = q.texel();
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 let here = q.map().texel(x, y) as f32;
                 let there = q
                     .texels
@@ -247,7 +246,7 @@ impl Graded for EnvironmentPdf {
             answer: |q| {
                 let (x, y) = q.texel();
                 let Some(there) = q.texels.get(y * q.height as usize + x) else {
-                    return Self::answer(q);
+                    return Self::right(q);
                 };
                 let all = q.map().all_light();
                 if all > 0.0 {

@@ -9,7 +9,6 @@ use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;
 use raybook::light::environment::latlong;
 use raybook::math::{pcg::Pcg, piecewise::Piecewise};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
 
@@ -85,7 +84,7 @@ fn elsewhere(
         let cosine = by_solid_angle(top, bottom, f64::from(down));
         *latlong::toward((x as f32 + right) / q.width as f32, cosine)
     };
-    SampleEnvironment::answer(q).iter().map(moved).collect()
+    SampleEnvironment::right(q).iter().map(moved).collect()
 }
 
 impl Graded for SampleEnvironment {
@@ -288,14 +287,14 @@ impl Graded for SampleEnvironment {
                         (y as f32 + 0.5) / q.height as f32,
                     ))
                 };
-                Self::answer(q).iter().map(centre).collect()
+                Self::right(q).iter().map(centre).collect()
             },
         },
         Mistake {
             name: "has the map upside down",
             hint: "Which row is at the top, and which direction is up?",
             answer: |q| {
-                Self::answer(q)
+                Self::right(q)
                     .into_iter()
                     .map(|d| d * Vec3::new(1.0, -1.0, 1.0))
                     .collect()
@@ -305,7 +304,7 @@ impl Graded for SampleEnvironment {
             name: "is half a turn off",
             hint: "Which column is straight ahead, the first or the middle one?",
             answer: |q| {
-                Self::answer(q)
+                Self::right(q)
                     .into_iter()
                     .map(|d| d * Vec3::new(-1.0, 1.0, -1.0))
                     .collect()
@@ -315,7 +314,7 @@ impl Graded for SampleEnvironment {
             name: "is a quarter turn off, to the right",
             hint: "Which column is straight ahead, and from which axis do you count the angle around?",
             answer: |q| {
-                let all = Self::answer(q).into_iter();
+                let all = Self::right(q).into_iter();
                 all.map(|d| Vec3::new(-d.z, d.y, d.x)).collect()
             },
         },
@@ -323,7 +322,7 @@ impl Graded for SampleEnvironment {
             name: "is a quarter turn off, to the left",
             hint: "Which column is straight ahead, and from which axis do you count the angle around?",
             answer: |q| {
-                let all = Self::answer(q).into_iter();
+                let all = Self::right(q).into_iter();
                 all.map(|d| Vec3::new(d.z, d.y, -d.x)).collect()
             },
         },
@@ -331,7 +330,7 @@ impl Graded for SampleEnvironment {
             name: "has left and right exchanged",
             hint: "To which side of the middle do the columns with larger numbers lie?",
             answer: |q| {
-                Self::answer(q)
+                Self::right(q)
                     .into_iter()
                     .map(|d| d * Vec3::new(-1.0, 1.0, 1.0))
                     .collect()
@@ -341,7 +340,7 @@ impl Graded for SampleEnvironment {
             name: "has front and back exchanged",
             hint: "Which direction is in the middle of the map?",
             answer: |q| {
-                Self::answer(q)
+                Self::right(q)
                     .into_iter()
                     .map(|d| d * Vec3::new(1.0, 1.0, -1.0))
                     .collect()
@@ -438,7 +437,7 @@ impl Graded for SampleEnvironment {
             name: "goes only half of the way around",
             hint: "From the left edge of the map to its right one, by which angle do you turn?",
             answer: |q| {
-                let all = Self::answer(q).into_iter();
+                let all = Self::right(q).into_iter();
                 let halved = |d: Vec3| {
                     let place = latlong::place(toward(d.x, d.y, d.z));
                     *latlong::toward(0.25 + 0.5 * place.x, f64::from(d.y))

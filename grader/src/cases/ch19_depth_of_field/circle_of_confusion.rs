@@ -2,7 +2,6 @@
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch19_depth_of_field::CircleOfConfusion;
 
 /// What is asked of a question here.
@@ -63,7 +62,7 @@ impl Graded for CircleOfConfusion {
                 if q.distance > q.focus {
                     0.0
                 } else {
-                    CircleOfConfusion::answer(q)
+                    CircleOfConfusion::right(q)
                 }
             },
         },
@@ -74,14 +73,14 @@ impl Graded for CircleOfConfusion {
                 if q.distance < q.focus {
                     0.0
                 } else {
-                    CircleOfConfusion::answer(q)
+                    CircleOfConfusion::right(q)
                 }
             },
         },
         Mistake {
             name: "returns the radius",
             hint: "How much of the disc's diameter lies between its middle and its edge?",
-            answer: |q| 0.5 * Self::answer(q),
+            answer: |q| 0.5 * Self::right(q),
         },
         Mistake {
             name: "exchanges the distance and the focus, or divides by the film's distance instead of that at which the point is sharp",
@@ -105,12 +104,12 @@ impl Graded for CircleOfConfusion {
         Mistake {
             name: "takes the focal length for the film's distance in the magnification",
             hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
-            answer: |q| Self::answer(q) / q.magnification() * (q.focal_length / q.focus),
+            answer: |q| Self::right(q) / q.magnification() * (q.focal_length / q.focus),
         },
         Mistake {
             name: "returns the size in the plane in focus",
             hint: "How large does the film show what is 1 m wide in the plane in focus?",
-            answer: |q| Self::answer(q) / q.magnification(),
+            answer: |q| Self::right(q) / q.magnification(),
         },
         Mistake {
             name: "divides by the focus instead of the distance",
@@ -133,7 +132,7 @@ impl Graded for CircleOfConfusion {
             hint: "What is ∞/∞? Try to divide before you subtract.",
             answer: |q| {
                 if q.distance.is_finite() {
-                    Self::answer(q)
+                    Self::right(q)
                 } else {
                     f32::NAN
                 }
@@ -142,7 +141,7 @@ impl Graded for CircleOfConfusion {
         Mistake {
             name: "returns millimetres",
             hint: "By which factor are you off?",
-            answer: |q| 1e3 * Self::answer(q),
+            answer: |q| 1e3 * Self::right(q),
         },
         Mistake {
             name: "leaves the film at the focal length, focused at infinity",
@@ -156,7 +155,7 @@ impl Graded for CircleOfConfusion {
                 if q.distance.is_infinite() {
                     0.0
                 } else {
-                    CircleOfConfusion::answer(q)
+                    CircleOfConfusion::right(q)
                 }
             },
         },

@@ -27,7 +27,7 @@ impl ThroughLens for ThinLensRay {
     fn central(&self) -> CameraRayAnswer {
         let mut middle = self.clone();
         middle.on_lens = Vec2::ZERO;
-        ThinLensRay::answer(&middle)
+        ThinLensRay::right(&middle)
     }
 
     fn in_plane(&self, ray: &CameraRayAnswer) -> Vec3 {
@@ -116,7 +116,7 @@ impl Graded for ThinLensRay {
             name: "forgets to normalise the direction",
             hint: "If t is to be a distance, how long must the direction be?",
             answer: |q| {
-                let CameraRayAnswer { origin, .. } = Self::answer(q);
+                let CameraRayAnswer { origin, .. } = Self::right(q);
                 CameraRayAnswer {
                     origin,
                     direction: q.in_plane(&q.central()) - origin,
@@ -128,7 +128,7 @@ impl Graded for ThinLensRay {
             hint: "From how many points does your camera look at the scene?",
             answer: |q| CameraRayAnswer {
                 origin: q.lens_middle,
-                ..Self::answer(q)
+                ..Self::right(q)
             },
         },
         Mistake {
@@ -136,7 +136,7 @@ impl Graded for ThinLensRay {
             hint: "Two rays of the same place of the film: where should they meet, and where do yours?",
             answer: |q| CameraRayAnswer {
                 direction: q.central().direction,
-                ..Self::answer(q)
+                ..Self::right(q)
             },
         },
         Mistake {

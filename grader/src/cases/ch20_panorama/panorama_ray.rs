@@ -4,7 +4,6 @@ use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2};
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette::direction as direction_colour;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
 use raybook_workbook::exercises::ch20_panorama::PanoramaRay;
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
@@ -108,7 +107,7 @@ impl Graded for PanoramaRay {
             name: "starts on a sphere around the position",
             hint: "Where do the rays of this camera meet? That is where they start.",
             answer: |q| {
-                let right = Self::answer(q);
+                let right = Self::right(q);
                 CameraRayAnswer {
                     origin: right.origin + right.direction,
                     ..right

@@ -4,7 +4,6 @@ use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch21_black_hole::DeflectionAngle;
 use std::f32::consts::PI;
 
@@ -70,7 +69,7 @@ impl Graded for DeflectionAngle {
         Mistake {
             name: "bends light half as much, as Newton would, or only on its way in",
             hint: "In 1919 an eclipse decided between two theories by a factor of two. And the hole bends a ray on its way in and on its way out: is your angle that of both?",
-            answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * angle),
+            answer: |q| DeflectionAngle::right(q).map(|angle| 0.5 * angle),
         },
         Mistake {
             name: "takes 1 for the hole's mass, not for its radius",
@@ -80,45 +79,45 @@ impl Graded for DeflectionAngle {
         Mistake {
             name: "returns the whole angle that the ray sweeps",
             hint: "A straight ray sweeps an angle too, as seen from the middle: which one?",
-            answer: |q| DeflectionAngle::answer(q).map(|angle| angle + PI),
+            answer: |q| DeflectionAngle::right(q).map(|angle| angle + PI),
         },
         Mistake {
             name: "takes the angle from infinity to the turning point only",
             hint: "The ray comes, and then goes away again: which of the two ways is in your angle?",
-            answer: |q| DeflectionAngle::answer(q).map(|angle| 0.5 * (angle - PI)),
+            answer: |q| DeflectionAngle::right(q).map(|angle| 0.5 * (angle - PI)),
         },
         Mistake {
             name: "returns degrees",
             hint: "How many radians has a full turn?",
-            answer: |q| DeflectionAngle::answer(q).map(f32::to_degrees),
+            answer: |q| DeflectionAngle::right(q).map(f32::to_degrees),
         },
         Mistake {
             name: "folds an angle above π back below π",
             hint: "A ray may go around the hole before it leaves: the angle may be more than π.",
             answer: |q| {
-                let angle = DeflectionAngle::answer(q)?;
+                let angle = DeflectionAngle::right(q)?;
                 Some(if angle > PI { 2.0 * PI - angle } else { angle })
             },
         },
         Mistake {
             name: "returns an angle for rays that fall in",
             hint: "Which is the smallest impact parameter of a ray that comes back?",
-            answer: |q| DeflectionAngle::answer(q).or(Some(PI)),
+            answer: |q| DeflectionAngle::right(q).or(Some(PI)),
         },
         Mistake {
             name: "lets rays fall in up to b = 3",
             hint: "Between the rays that fall in and those that get away lies a ray that circles for ever: what is its b?",
-            answer: |q| DeflectionAngle::answer(q).filter(|_| q.impact_parameter >= 3.0),
+            answer: |q| DeflectionAngle::right(q).filter(|_| q.impact_parameter >= 3.0),
         },
         Mistake {
             name: "leaves out whole turns: returns the rest of a division by 2π",
             hint: "A ray may go around the hole before it leaves: is that a part of the angle by which it is turned?",
-            answer: |q| DeflectionAngle::answer(q).map(|angle| angle % (2.0 * PI)),
+            answer: |q| DeflectionAngle::right(q).map(|angle| angle % (2.0 * PI)),
         },
         Mistake {
             name: "leaves out half turns: returns the rest of a division by π",
             hint: "A ray may come back to where it came from, and go on around the hole: may the angle be more than π?",
-            answer: |q| DeflectionAngle::answer(q).map(|angle| angle % PI),
+            answer: |q| DeflectionAngle::right(q).map(|angle| angle % PI),
         },
         Mistake {
             name: "takes 1/b, as Newton would far away",
@@ -134,5 +133,5 @@ fn escapes(q: &DeflectionAngle) -> Option<f32> {
 }
 
 fn deflection(impact_parameter: f32) -> Option<f32> {
-    DeflectionAngle::answer(&DeflectionAngle { impact_parameter })
+    DeflectionAngle::right(&DeflectionAngle { impact_parameter })
 }

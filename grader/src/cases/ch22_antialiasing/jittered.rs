@@ -6,7 +6,6 @@ use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
@@ -241,7 +240,7 @@ impl Graded for Jittered {
                     rows: q.columns,
                     ..q.clone()
                 };
-                Jittered::answer(&exchanged)
+                Jittered::right(&exchanged)
             },
         },
         Mistake {
@@ -274,7 +273,7 @@ impl Graded for Jittered {
             hint: "Where does each of your two loops end?",
             answer: |q| {
                 let count = q.columns * q.rows.saturating_sub(1);
-                let mut all = Self::answer(q);
+                let mut all = Self::right(q);
                 all.truncate(count as usize);
                 all
             },
@@ -284,7 +283,7 @@ impl Graded for Jittered {
             hint: "Where does each of your two loops end?",
             answer: |q| {
                 let last = q.columns.saturating_sub(1) as f32 / q.columns as f32;
-                let mut all = Self::answer(q);
+                let mut all = Self::right(q);
                 all.retain(|p| p.x < last);
                 all
             },

@@ -5,7 +5,6 @@ use crate::{Graded, Mistake, Verdict};
 use glam::{Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch22_antialiasing::RegularGrid;
 
 /// How far a point may be from its place, in pixels: column 999 is exact to 0.00006 in `f32`.
@@ -60,7 +59,7 @@ impl Graded for RegularGrid {
                     rows: q.columns,
                     ..q.clone()
                 };
-                RegularGrid::answer(&exchanged)
+                RegularGrid::right(&exchanged)
             },
         },
         Mistake {

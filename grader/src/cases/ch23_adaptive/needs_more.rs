@@ -5,7 +5,6 @@ use crate::{Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
 impl Graded for NeedsMore {
@@ -181,7 +180,7 @@ impl Graded for NeedsMore {
                 if q.samples.len() < 2 {
                     return 0;
                 }
-                NeedsMore::answer(q)
+                NeedsMore::right(q)
             },
         },
         Mistake {
@@ -264,7 +263,7 @@ impl Graded for NeedsMore {
                 if q.samples.len() < 3 {
                     1
                 } else {
-                    Self::answer(q)
+                    Self::right(q)
                 }
             },
         },

@@ -3,7 +3,6 @@
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch23_adaptive::SpendBudget;
 
 /// How much larger than the least the sum may be: whole numbers can be rounded in more than one way.
@@ -263,7 +262,7 @@ impl Graded for SpendBudget {
             name: "returns the counts by size, the least first",
             hint: "To which pixel belongs the first of your counts, if you sort them?",
             answer: |q| {
-                let mut counts = Self::answer(q);
+                let mut counts = Self::right(q);
                 counts.sort_unstable();
                 counts
             },
@@ -272,7 +271,7 @@ impl Graded for SpendBudget {
             name: "returns the counts by size, the largest first",
             hint: "To which pixel belongs the first of your counts, if you sort them?",
             answer: |q| {
-                let mut counts = Self::answer(q);
+                let mut counts = Self::right(q);
                 counts.sort_unstable_by(|a, b| b.cmp(a));
                 counts
             },

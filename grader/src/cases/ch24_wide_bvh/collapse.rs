@@ -7,7 +7,6 @@ use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::{COST, Cost, build};
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 use raybook_workbook::tree_rows::to_rows;
 
@@ -294,7 +293,7 @@ impl Graded for Collapse {
             name: "forgets the second child of the last branch it opens",
             hint: "Count the leaves before and after.",
             answer: |q| {
-                let right = Collapse::answer(q);
+                let right = Collapse::right(q);
                 without(right, |i, _| i != 7)
             },
         },
@@ -302,7 +301,7 @@ impl Graded for Collapse {
             name: "leaves out leaves",
             hint: "A child may be a leaf or a branch: do both have a place in your node?",
             answer: |q| {
-                let right = Collapse::answer(q);
+                let right = Collapse::right(q);
                 let leaves: Vec<_> = q.nodes.iter().map(|node| node.count > 0).collect();
                 without(right, |_, child| !leaves[child as usize])
             },
@@ -311,7 +310,7 @@ impl Graded for Collapse {
             name: "names a branch among its own children",
             hint: "Once a branch's children are in the list, should the branch itself be there too?",
             answer: |q| {
-                let mut right = Collapse::answer(q);
+                let mut right = Collapse::right(q);
                 for family in &mut right {
                     family.children.push(family.branch);
                 }
@@ -347,7 +346,7 @@ impl Graded for Collapse {
             name: "writes the list of the root only",
             hint: "Some of the root's new children are branches: where are their children?",
             answer: |q| {
-                Self::answer(q)
+                Self::right(q)
                     .into_iter()
                     .filter(|family| family.branch == 0)
                     .collect()

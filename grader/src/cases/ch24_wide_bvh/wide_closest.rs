@@ -11,7 +11,6 @@ use raybook::inside::bvh::Cost;
 use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch24_wide_bvh::{
     WideChild, WideClosest, WideClosestAnswer, WideLeaf, WideNode,
@@ -159,7 +158,7 @@ impl Graded for WideClosest {
             name: "begins to count the nodes at 1, or counts the root twice",
             hint: "Before the root is opened, how many nodes are open?",
             answer: |q| {
-                let right = q.answer();
+                let right = q.right();
                 WideClosestAnswer {
                     nodes: right.nodes + 1,
                     ..right
@@ -175,7 +174,7 @@ impl Graded for WideClosest {
             name: "begins to count the tests at 1",
             hint: "A ray that misses all boxes: how many triangles does it test?",
             answer: |q| {
-                let right = q.answer();
+                let right = q.right();
                 WideClosestAnswer {
                     tests: right.tests + 1,
                     ..right
@@ -191,7 +190,7 @@ impl Graded for WideClosest {
             name: "returns the number of the leaf for that of the triangle",
             hint: "Which of the two numbers in your loops is the triangle's?",
             answer: |q| {
-                let mut answer = q.answer();
+                let mut answer = q.right();
                 if let Some(hit) = &mut answer.hit {
                     let holds = |leaf: &WideLeaf| leaf.triangles.contains(&hit.id);
                     let leaf = q.leaves.iter().position(holds);
@@ -204,7 +203,7 @@ impl Graded for WideClosest {
             name: "returns the triangle's place in its leaf for its number",
             hint: "A leaf holds numbers of triangles: do you return what is in the leaf, or where in the leaf it is?",
             answer: |q| {
-                let mut answer = q.answer();
+                let mut answer = q.right();
                 if let Some(hit) = &mut answer.hit {
                     let place =
                         |leaf: &WideLeaf| leaf.triangles.iter().position(|id| *id == hit.id);

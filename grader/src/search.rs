@@ -91,7 +91,7 @@ pub enum Keeps {
 }
 
 /// How a search goes; one field wrong is a mistake.
-#[derive(Clone, Copy, PartialEq)]
+#[derive(Clone, Copy)]
 #[expect(
     clippy::struct_excessive_bools,
     reason = "each is a mistake of its own"

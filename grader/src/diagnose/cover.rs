@@ -31,8 +31,18 @@ struct One {
     score: Score,
     /// Of each wrong answer, whether the mistake gives it.
     gives: Vec<bool>,
+    /// And whether the mistake's own answer is wrong, too.
+    shows: Vec<bool>,
     /// The first case that it gives.
     shown: Option<usize>,
+}
+
+impl One {
+    /// Whether it hides nothing of another: where the other gives the answers, this one gives them, too, or does not show.
+    fn is_beside(&self, other: &Self) -> bool {
+        let mut each = other.gives.iter().zip(self.gives.iter().zip(&self.shows));
+        each.all(|(other, (gives, shows))| !other || *gives || !shows)
+    }
 }
 
 impl Cover {
@@ -46,6 +56,16 @@ impl Cover {
         self.chosen.iter().all(|one| one.rank == 0)
     }
 
+    /// Whether of each two that are in one function one is done before the other, and hides it: where each should hide the other, they are not
+    /// the two.
+    pub fn go_together(&self) -> bool {
+        let pairs = |(i, one): (usize, &One)| {
+            let mut before = self.chosen[..i].iter();
+            before.all(|other| one.is_beside(other) || other.is_beside(one))
+        };
+        self.chosen.iter().enumerate().all(pairs)
+    }
+
     /// Certain, if they are the exercise's own and give all wrong answers, nothing contradicts them, and the answers say more than yes
     /// or no.
     pub fn told(&self) -> Option<Diagnosis> {
@@ -53,7 +73,7 @@ impl Cover {
             let is_doubtful = one.score.is_doubtful || one.rank > 0;
             one.score.contradicted == 0 && one.score.tells >= 1.0 && !is_doubtful
         };
-        let certain = self.is_whole() && self.chosen.iter().all(clear);
+        let certain = self.is_whole() && self.go_together() && self.chosen.iter().all(clear);
         let told = |one: &One| Diagnosis {
             name: one.name.clone(),
             hint: one.hint.clone(),
@@ -125,12 +145,17 @@ fn ones(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<One> {
             let answer = answers[k].as_ref();
             answer.is_some_and(|answer| evidence.explains(k, answer))
         };
+        let shows = |k: usize| {
+            let is_right = |answer: &Vec<f64>| evidence.is_right(&evidence.items[k], answer);
+            !answers[k].as_ref().is_some_and(is_right)
+        };
         Some(One {
             name: name.to_owned(),
             hint: hint.to_owned(),
             rank,
             score,
             gives: (0..evidence.wrong).map(gives).collect(),
+            shows: (0..evidence.wrong).map(shows).collect(),
             shown: evidence.first_explained(&answers),
         })
     };

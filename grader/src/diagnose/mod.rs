@@ -145,7 +145,8 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     });
     // A question may be misread in many ways: one of them gives the rest of the answers by chance more often than an own mistake.
     let is_told = |cover: &&cover::Cover| {
-        cover.is_whole() && !is_one && (cover.is_own() || complete.is_none())
+        let is_own = cover.is_own() && cover.go_together();
+        cover.is_whole() && !is_one && (is_own || complete.is_none())
     };
     if let Some(found) = cover.as_ref().filter(is_told) {
         return found.told();

@@ -6,11 +6,14 @@ use super::found::Found;
 use super::misread::Misreading;
 use super::search::called;
 use super::slips::slipped;
-use super::{COMMON, MOST};
+use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
 const PROBE: usize = 8;
+
+/// The share of what a pair must give of all wrong answers that it must give of the probe.
+const PROMISING: f64 = 0.9;
 
 /// Ways to misread a question that are tried in pairs, the likeliest first.
 const PAIRS: usize = 60;
@@ -173,35 +176,26 @@ pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     let Some(probe) = evidence.probe(PROBE) else {
         return;
     };
-    if probe.wrong < 3 || !probe.tells_much() || evidence.scope != Scope::Whole {
+    if probe.wrong < 3 || evidence.tells_in_all() < TELLS || evidence.scope != Scope::Whole {
         return;
     }
+    // What tells little of each answer must give all of them.
+    let share = if probe.tells_much() { MOST } else { 1.0 };
     let mistakes = examiner.mistakes();
     let answer = |of: &Evidence<'_>, first: usize, second: usize, k: usize| {
         let question = &of.items[k].question;
         attempt(|| examiner.mistakes_answer(first, second, question)).flatten()
     };
-    // Whether each of the two alone leaves something unexplained: a second mistake that never shows is none.
-    let explains = |mistake: usize, k: usize| {
-        let alone = probe.mistaken(mistake, k);
-        alone.is_some_and(|alone| probe.explains(k, &alone))
-    };
-    let explains_all = |mistake: &usize| (0..probe.wrong).all(|k| explains(*mistake, k));
-    let tried: Vec<_> = (0..mistakes.len())
-        .filter(|mistake| !explains_all(mistake))
-        .collect();
-    for &first in &tried {
-        for &second in tried.iter().filter(|second| **second != first) {
-            if probe
-                .score(0.99, |k| answer(&probe, first, second, k))
-                .is_none()
-            {
+    for first in 0..mistakes.len() {
+        for second in (0..mistakes.len()).filter(|second| *second != first) {
+            let promises = probe.score(PROMISING * share, |k| answer(&probe, first, second, k));
+            if promises.is_none() {
                 continue;
             }
             let answers: Answers = (0..evidence.items.len())
                 .map(|k| answer(evidence, first, second, k))
                 .collect();
-            let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+            let Some(score) = evidence.score(share, |k| answers[k].clone()) else {
                 continue;
             };
             let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());

@@ -8,6 +8,7 @@ use super::misread::Misreading;
 use super::pairs::{TOGETHER, of_two};
 use super::search::{golden, misread};
 use super::slips::{Slipped, fitted, slipped};
+use super::special;
 
 /// The rank of a second mistake: what is told of both is never certain.
 const RANK: u32 = 44;
@@ -74,12 +75,13 @@ fn beside(
     let items = &evidence.items;
     let right = golden(evidence);
     let is_made = |one: &fit::Explanation| one.name == first.name;
-    let is_fit = || {
-        fit::explanations(evidence, &right, false)
-            .iter()
-            .any(is_made)
+    let made_of = |base: &Answers| {
+        let mut made = special::explanations(evidence, base);
+        made.extend(fit::explanations(evidence, base, true));
+        made.retain(is_made);
+        made
     };
-    let is_fit = !first.is_own() && is_fit();
+    let is_fit = !first.is_own() && !made_of(&right).is_empty();
     let mut found = Vec::new();
     for other in others(evidence, readings, rest) {
         let mut made: Vec<Answers> = Vec::new();
@@ -91,8 +93,8 @@ fn beside(
             made.push((0..items.len()).map(of_item).collect());
         }
         if is_fit {
-            let again = fit::explanations(evidence, &other.answers, false);
-            made.extend(again.into_iter().filter(is_made).map(|one| one.answers));
+            let again = made_of(&other.answers);
+            made.extend(again.into_iter().map(|one| one.answers));
         }
         let pairs = made.into_iter().filter_map(|answers| {
             let (name, hint, rank) = (other.name.clone(), other.hint.clone(), other.rank);

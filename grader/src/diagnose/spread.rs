@@ -6,6 +6,7 @@ use super::misread::Misreading;
 use super::search::{golden, misread};
 use super::slips::{Slipped, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
+use crate::attempt::attempt;
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -103,6 +104,26 @@ const PROMISING: f64 = 0.6;
 /// The rank of a slip: behind the exercise's own mistakes, and before all guesses about answers as a whole.
 const SLIP: u32 = 1;
 
+/// Of what one mistake explains, this share of the distance may be left before two are tried.
+const ALMOST: f64 = 0.05;
+
+/// The rank of two mistakes: behind one.
+const PAIR: u32 = 2;
+
+/// Two mistakes leave at most this share of what one leaves.
+const TWICE_AS_NEAR: f64 = 0.5;
+
+/// A mistake that was considered.
+struct Considered {
+    /// What of the distance is left.
+    rest: f64,
+    rank: u32,
+    name: String,
+    hint: String,
+    /// A mistake that is made upon it.
+    then: Option<(String, String)>,
+}
+
 /// A mistake whose answers have the same traits as the student's.
 pub struct Likely {
     /// What is said of it.
@@ -122,9 +143,15 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let whole = distance(&|i| right[i].clone())?;
     let considered = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
         let rest = distance(answers).filter(|rest| rest.explains(&whole))?;
-        Some((rest.norm(), rank, name.to_owned(), hint.to_owned()))
+        Some(Considered {
+            rest: rest.norm(),
+            rank,
+            name: name.to_owned(),
+            hint: hint.to_owned(),
+            then: None,
+        })
     };
-    let mut found: Vec<(f64, u32, String, String)> = Vec::new();
+    let mut found: Vec<Considered> = Vec::new();
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
         let answer = |k| evidence.mistaken(i, k);
         found.extend(considered(0, name, hint, &answer));
@@ -155,18 +182,38 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         };
         found.extend(promising(evidence).into_iter().filter_map(by_steps));
     }
-    let nearest = found.iter().map(|one| one.0).fold(f64::INFINITY, f64::min);
+    let nearest = |found: &[Considered]| {
+        found
+            .iter()
+            .map(|one| one.rest)
+            .fold(f64::INFINITY, f64::min)
+    };
+    if by_themselves && nearest(&found) > ALMOST * whole.norm() {
+        let most = TWICE_AS_NEAR * nearest(&found).min(2.0 * NEAR * whole.norm());
+        let pairs = two(evidence, &traits, whole.norm());
+        found.extend(pairs.into_iter().filter(|pair| pair.rest < most));
+    }
+    let nearest = nearest(&found);
     // What is as near as the nearest, but for chance: the commonest first.
     let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();
-    let near = |one: &&(f64, u32, String, String)| one.0 <= 1.3 * nearest + 0.5 * errors + 1e-6;
+    let near = |one: &&Considered| one.rest <= 1.3 * nearest + 0.5 * errors + 1e-6;
     let mut near: Vec<_> = found.iter().filter(near).collect();
-    near.sort_by(|a, b| a.1.cmp(&b.1).then(a.0.total_cmp(&b.0)));
+    near.sort_by(|a, b| a.rank.cmp(&b.rank).then(a.rest.total_cmp(&b.rest)));
     let own = |name: &str| {
         let mut own = examiner.mistakes().into_iter();
         own.position(|(own, _)| own == name)
     };
-    near.retain(|one| !own(&one.2).is_some_and(|number| is_contradicted(evidence, number)));
-    let (rest, rank, name, hint) = near.first()?;
+    near.retain(|one| {
+        let contradicted = |number| is_contradicted(evidence, number);
+        one.then.is_some() || !own(&one.name).is_some_and(contradicted)
+    });
+    let Considered {
+        rest,
+        rank,
+        name,
+        hint,
+        then,
+    } = near.first()?;
     // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
     let given = || {
         let number = own(name)?;
@@ -177,41 +224,49 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         let given = (0..evidence.wrong).filter(gives).count();
         Some(given as f64 / evidence.wrong as f64)
     };
-    let given = if evidence.right_ones_tell() && evidence.goes_the_same_way() {
+    let given = if then.is_none() && evidence.right_ones_tell() && evidence.goes_the_same_way() {
         given().unwrap_or(1.0)
     } else {
         1.0
     };
-    let is_rival = |other: &&(f64, u32, String, String)| {
+    let is_rival = |other: &&Considered| {
         // A slip that comes exactly as near is the same mistake in other words.
-        let is_the_same = other.1 == SLIP && other.0 == *rest;
-        other.2 != *name && other.0 < 2.0 * rest + 2.0 * errors && !is_the_same
+        let is_the_same = other.rank == SLIP && other.rest == *rest;
+        other.name != *name && other.rest < 2.0 * rest + 2.0 * errors && !is_the_same
     };
     let mut rivals = found.iter().filter(is_rival);
     let is_near = *rest < NEAR * whole.norm();
     // Simple questions have one answer, whichever way is gone: who makes the mistake on another way gives none of its answers, but
     // their traits, to which no other mistake comes near.
-    let stands_out = *rank == 0 && is_near && rivals.clone().all(|other| other.1 > SLIP);
+    let stands_out = *rank == 0 && is_near && rivals.clone().all(|other| other.rank > SLIP);
     if given < SOME && !stands_out {
         return None;
     }
-    let diagnosis = Diagnosis {
-        name: name.clone(),
-        hint: hint.clone(),
+    let one = |name: &str, hint: &str, beside| Diagnosis {
+        name: name.to_owned(),
+        hint: hint.to_owned(),
         part: None,
+        certain: false,
+        explained: evidence.wrong,
+        wrong: evidence.wrong,
+        shown: None,
+        beside,
+        also: Vec::new(),
+    };
+    let also = then
+        .iter()
+        .map(|(name, hint)| one(name, hint, Beside::Together));
+    let diagnosis = Diagnosis {
         certain: *rank == 0
             && rivals.next().is_none()
             && *rest < SURE * whole.norm()
             && given >= MOST,
-        explained: evidence.wrong,
-        wrong: evidence.wrong,
-        shown: None,
-        beside: Beside::Apart,
-        also: Vec::new(),
+        also: also.collect(),
+        ..one(name, hint, Beside::Apart)
     };
     Some(Likely {
         diagnosis,
-        is_cause: *rank <= SLIP,
+        is_cause: *rank <= PAIR,
         is_near,
     })
 }
@@ -224,6 +279,49 @@ fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
     };
     let right = evidence.wrong..evidence.items.len();
     right.filter(spoils).count() > CONTRADICTED * evidence.wrong
+}
+
+/// Two of the exercise's own mistakes, one made upon the other, whose answers have the same traits as the student's.
+fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: f64) -> Vec<Considered> {
+    let examiner = evidence.examiner;
+    let answer = |of: &Evidence<'_>, [first, second]: [usize; 2], k: usize| {
+        let question = &of.items[k].question;
+        attempt(|| examiner.mistakes_answer(first, second, question)).flatten()
+    };
+    let Some(probe) = evidence.probe(PROBE) else {
+        return Vec::new();
+    };
+    let Some(few) = Traits::of(&probe) else {
+        return Vec::new();
+    };
+    let right = golden(&probe);
+    let Some(from_right) = few.distance(&|k| right[k].clone()) else {
+        return Vec::new();
+    };
+    let mistakes = examiner.mistakes();
+    let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
+    let mut found = Vec::new();
+    for first in 0..mistakes.len() {
+        for second in (0..mistakes.len()).filter(|second| *second != first) {
+            let rest = few.distance(&|k| answer(&probe, [first, second], k));
+            if rest.is_none_or(|rest| rest.norm() > PROMISING * from_right.norm()) {
+                continue;
+            }
+            let rest = traits.distance(&|k| answer(evidence, [first, second], k));
+            let Some(rest) = rest.filter(|rest| rest.norm() <= NEAR * whole) else {
+                continue;
+            };
+            let (name, hint) = told(second);
+            found.push(Considered {
+                rest: rest.norm(),
+                rank: PAIR,
+                name,
+                hint,
+                then: Some(told(first)),
+            });
+        }
+    }
+    found
 }
 
 /// The slips that make the first wrong answers likely.

@@ -152,3 +152,89 @@ fn a_question_that_is_misread_and_a_step_that_goes_wrong_are_told_together() {
     assert_eq!(first, "exchanges t1 and t2");
     assert!(second.contains("b₀ = 1 − b₁ − b₂"), "{second}");
 }
+
+/// Both names, in whichever order they are told.
+fn both_of(found: &Diagnosis) -> [&str; 2] {
+    let mut both = together(found);
+    both.sort_unstable();
+    both
+}
+
+#[test]
+fn two_mistakes_in_one_sum_are_told_though_no_case_shows_one_of_them_alone() {
+    let found = diagnosed("pixel_average", |q| {
+        let (radius, samples) = (q[0], q[2..].chunks(5));
+        let n = samples.len().max(1) as f64;
+        let mut mean = [0.0; 3];
+        for sample in samples {
+            let weight = (1.0 - sample[0].hypot(sample[1]) / radius).max(0.0);
+            for (mean, radiance) in mean.iter_mut().zip(&sample[2..]) {
+                *mean += weight * radiance / n;
+            }
+        }
+        Some(mean.to_vec())
+    });
+    let both = [
+        "divides by the number of samples",
+        "makes a cone instead of a tent",
+    ];
+    assert_eq!(both_of(&found), both);
+}
+
+#[test]
+fn two_mistakes_in_one_distribution_are_told_by_what_they_have_in_common_with_the_students() {
+    let found = diagnosed("cosine_hemisphere", |q| {
+        let (normal, n) = (glam::DVec3::from_slice(q), q[3] as u32);
+        let (x, y) = normal.any_orthonormal_pair();
+        let direction = |i: u32| {
+            let (u, v) = (0.618_034 * f64::from(i) % 1.0, (f64::from(i) + 0.5) / q[3]);
+            let (cosine, turn) = (1.0 - u, std::f64::consts::PI * v);
+            let sine = (1.0 - cosine * cosine).sqrt();
+            sine * (turn.cos() * x + turn.sin() * y) + cosine * normal
+        };
+        let directions = (0..n).flat_map(|i| direction(i).to_array());
+        Some([f64::from(n)].into_iter().chain(directions).collect())
+    });
+    let both = [
+        "goes only half way round",
+        "takes all directions for equally likely",
+    ];
+    assert_eq!(both_of(&found), both);
+}
+
+#[test]
+fn a_mistake_that_would_spoil_the_answers_of_another_is_not_certain() {
+    let found = diagnosed("deflection_angle", |q| {
+        let swallowed = vec![0.0];
+        let mut answer = if q[0] < 3.0 {
+            swallowed
+        } else {
+            right("deflection_angle", q)
+        };
+        for angle in &mut answer[1..] {
+            *angle = angle.to_degrees();
+        }
+        Some(answer)
+    });
+    assert_eq!(found.name, "returns degrees");
+    assert!(found.also.iter().all(|also| !also.certain), "{found:?}");
+}
+
+#[test]
+fn a_mistake_is_made_upon_another_if_it_is_made_of_the_right_answer() {
+    let asked = cases::find("sphere_normal").expect("an exercise");
+    let number = |told: &str| {
+        let mut mistakes = asked.mistakes().into_iter();
+        mistakes.position(|(name, _)| name == told).expect(told)
+    };
+    let inwards = number("points inwards");
+    let at_origin = number("takes the sphere to be at the origin");
+    let question = [2.0, 2.0, 3.0, 1.0, 2.0, 2.0, 1.5];
+    let alone = asked.mistake_answers(at_origin, &question);
+    let turned = alone.map(|v| v.iter().map(|v| -v).collect::<Vec<_>>());
+    let both = asked.mistakes_answer(inwards, at_origin, &question);
+    assert!(both.is_some() && both == turned, "{both:?}");
+    // Who forgets to normalise has calculated all by himself.
+    let long = number("forgets to normalise");
+    assert_eq!(asked.mistakes_answer(long, inwards, &question), None);
+}

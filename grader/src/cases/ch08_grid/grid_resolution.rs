@@ -1,5 +1,6 @@
 //! `grid_resolution`: random questions, judge and mistakes.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::Vec3;
 use rand::RngExt;
@@ -40,7 +41,7 @@ impl Graded for GridResolution {
         Mistake {
             name: "cuts every axis into ∛(λN) cells, a thin one too",
             hint: "Should a long side be cut into as many pieces as a short one?",
-            answer: |q| whole(Vec3::splat(cells(q).cbrt()), f32::round),
+            answer: |q| whole(Vec3::splat(cells(q).cbrt())),
         },
         Mistake {
             name: "forgets the density",
@@ -52,30 +53,30 @@ impl Graded for GridResolution {
             hint: "Multiply your three numbers: how many cells is that in all?",
             answer: |q| {
                 let longest = q.extents.max_element().max(f32::MIN_POSITIVE);
-                whole(q.extents / longest * cells(q).cbrt(), f32::round)
+                whole(q.extents / longest * cells(q).cbrt())
             },
         },
         Mistake {
             name: "cuts every axis into as many cells as the longest",
             hint: "Should a long side be cut into as many pieces as a short one?",
-            answer: |q| whole(Vec3::splat(share(q).max_element()), f32::round),
+            answer: |q| whole(Vec3::splat(share(q).max_element())),
         },
         Mistake {
             name: "rounds down",
             hint: "2.9 is nearer to 3 than to 2.",
-            answer: |q| whole(share(q), f32::floor),
+            answer: |q| rounded(share(q), f32::floor),
         },
         Mistake {
             name: "rounds up",
             hint: "2.1 is nearer to 2 than to 3.",
-            answer: |q| whole(share(q), f32::ceil),
+            answer: |q| rounded(share(q), f32::ceil),
         },
         Mistake {
             name: "keeps a thin axis in the volume",
             hint: "A flat scene has hardly any volume: into how many cells do you cut its two long sides?",
             answer: |q| {
                 let volume = q.extents.element_product().max(f32::MIN_POSITIVE);
-                whole(q.extents * (cells(q) / volume).cbrt(), f32::round)
+                whole(q.extents * (cells(q) / volume).cbrt())
             },
         },
         Mistake {
@@ -96,7 +97,7 @@ impl Graded for GridResolution {
             hint: "Eight times the density: how many times as many cells are there, and how many times as many along an axis?",
             answer: |q| {
                 let one = GridResolution { density: 1.0, ..*q };
-                whole(share(&one) * q.density, f32::round)
+                whole(share(&one) * q.density)
             },
         },
         Mistake {
@@ -114,7 +115,7 @@ impl Graded for GridResolution {
                 }
                 let along = q.extents * (cells(q) / content).cbrt();
                 let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
-                whole(along * thick, f32::round)
+                whole(along * thick)
             },
         },
         Mistake {
@@ -125,7 +126,7 @@ impl Graded for GridResolution {
                 if thick.element_sum() > 1.0 {
                     return GridResolution::right(q);
                 }
-                whole(q.extents * (cells(q) / content).sqrt() * thick, f32::round)
+                whole(q.extents * (cells(q) / content).sqrt() * thick)
             },
         },
         Mistake {
@@ -135,7 +136,7 @@ impl Graded for GridResolution {
                 if share(q).min_element() > 0.0 {
                     GridResolution::right(q)
                 } else {
-                    whole(Vec3::ONE, f32::round)
+                    whole(Vec3::ONE)
                 }
             },
         },
@@ -147,7 +148,7 @@ impl Graded for GridResolution {
                 let count = right.to_array().iter().filter(|n| **n > 0.0).count();
                 let along = cells(q).powf(1.0 / (count as f32).max(1.0));
                 let thick = right.map(|n| f32::from(u8::from(n > 0.0)));
-                whole(thick * along, f32::round)
+                whole(thick * along)
             },
         },
         Mistake {
@@ -160,7 +161,7 @@ impl Graded for GridResolution {
                     .filter(|&i| thick[i] > 0.0)
                     .map(|i| q.extents[i])
                     .product();
-                whole(q.extents * (cells(q) / volume).sqrt() * thick, f32::round)
+                whole(q.extents * (cells(q) / volume).sqrt() * thick)
             },
         },
         Mistake {
@@ -182,7 +183,7 @@ impl Graded for GridResolution {
             hint: "Cells per volume has the unit 1/m³: which root makes cells per metre of it?",
             answer: |q| {
                 let (volume, thick) = content(q);
-                whole(q.extents * (cells(q) / volume) * thick, f32::round)
+                whole(q.extents * (cells(q) / volume) * thick)
             },
         },
         Mistake {
@@ -191,10 +192,7 @@ impl Graded for GridResolution {
             answer: |q| {
                 let (_, thick) = content(q);
                 let sum = (q.extents * thick).element_sum();
-                whole(
-                    q.extents * (cells(q) / sum).powf(1.0 / thick.element_sum().max(1.0)) * thick,
-                    f32::round,
-                )
+                whole(q.extents * (cells(q) / sum).powf(1.0 / thick.element_sum().max(1.0)) * thick)
             },
         },
         Mistake {
@@ -202,7 +200,7 @@ impl Graded for GridResolution {
             hint: "With fewer axes the cells are larger: may another axis now get less than one?",
             answer: |q| {
                 let thick = thicker(q, extended(q));
-                whole(along(q, thick) * thick, f32::round)
+                whole(along(q, thick) * thick)
             },
         },
         Mistake {
@@ -210,7 +208,7 @@ impl Graded for GridResolution {
             hint: "A box is a millimetre thick, and its cells are a metre: do the cells along its two long sides come to λN?",
             answer: |q| {
                 let thick = extended(q);
-                whole(along(q, thick) * thick, f32::round)
+                whole(along(q, thick) * thick)
             },
         },
     ];
@@ -221,8 +219,17 @@ pub(super) fn cells(q: &GridResolution) -> f32 {
     q.density * q.shapes as f32
 }
 
+/// How a number becomes a whole one.
+type Round = fn(f32) -> f32;
+
 /// At least 1 along each axis.
-fn whole(along: Vec3, round: fn(f32) -> f32) -> Cell {
+fn whole(along: Vec3) -> Cell {
+    rounded(along, changed(f32::round as Round, |_| {}))
+}
+
+/// The same with another rounding.
+fn rounded(along: Vec3, round: Round) -> Cell {
+    let round = changed(f32::round as Round, |how| *how = round);
     along.map(round).max(Vec3::ONE).as_uvec3().into()
 }
 

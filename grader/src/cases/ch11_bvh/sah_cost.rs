@@ -1,20 +1,39 @@
 //! `sah_cost`: random questions, judge and mistakes.
 
 use super::{area, heaps, tree};
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch11_bvh::SahCost;
 use raybook_workbook::tree_rows::NodeRow;
 
-/// Σ of a price per node times a measure of its box, by that of the root's.
-fn weighted(
-    q: &SahCost,
+/// How nodes are weighed: by a measure of the box, and a price.
+#[derive(Clone, Copy)]
+struct How {
     measure: fn(&NodeRow) -> f32,
     price: fn(&SahCost, &NodeRow) -> f32,
-) -> f32 {
+}
+
+/// Σ of a price per node times a measure of its box, by that of the root's; one of the two is changed.
+fn weighted(q: &SahCost, change: impl FnOnce(&mut How)) -> f32 {
+    let right = How {
+        measure: node_area,
+        price: node_price,
+    };
+    let How { measure, price } = changed(right, change);
     let sum: f32 = q.nodes.iter().map(|n| measure(n) * price(q, n)).sum();
     sum / q.nodes.first().map_or(1.0, measure)
+}
+
+/// The same with another measure.
+fn measured(q: &SahCost, measure: fn(&NodeRow) -> f32) -> f32 {
+    weighted(q, |how| how.measure = measure)
+}
+
+/// The same with another price.
+fn priced(q: &SahCost, price: fn(&SahCost, &NodeRow) -> f32) -> f32 {
+    weighted(q, |how| how.price = price)
 }
 
 pub(super) fn node_area(node: &NodeRow) -> f32 {
@@ -69,30 +88,22 @@ impl Graded for SahCost {
         Mistake {
             name: "counts the leaves only",
             hint: "A ray that comes to a leaf has opened branches before: for free?",
-            answer: |q| weighted(&free(q, true), node_area, node_price),
+            answer: |q| Self::misread(q, |q| q.branch = 0.0),
         },
         Mistake {
             name: "counts the branches only",
             hint: "What does a search do once it is in a leaf?",
-            answer: |q| weighted(&free(q, false), node_area, node_price),
+            answer: |q| Self::misread(q, |q| q.shape = 0.0),
         },
         Mistake {
             name: "gives every leaf the cost of one shape",
             hint: "Does a leaf of five shapes cost as much as a leaf of one?",
-            answer: |q| {
-                weighted(
-                    q,
-                    node_area,
-                    |q, n| {
-                        if n.count == 0 { q.branch } else { q.shape }
-                    },
-                )
-            },
+            answer: |q| priced(q, |q, n| if n.count == 0 { q.branch } else { q.shape }),
         },
         Mistake {
             name: "weighs by volume",
             hint: "How large is the chance that a ray meets a flat box, which has no volume?",
-            answer: |q| weighted(q, |n| (n.max - n.min).element_product(), node_price),
+            answer: |q| measured(q, |n| (n.max - n.min).element_product()),
         },
         Mistake {
             name: "leaves out the root",
@@ -102,18 +113,18 @@ impl Graded for SahCost {
         Mistake {
             name: "weighs every node alike, whatever its area",
             hint: "Do as many rays meet a small box as a large one?",
-            answer: |q| weighted(q, |_| 1.0, node_price),
+            answer: |q| measured(q, |_| 1.0),
         },
         Mistake {
             name: "weighs by the longest side",
             hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
-            answer: |q| weighted(q, |n| (n.max - n.min).max_element(), node_price),
+            answer: |q| measured(q, |n| (n.max - n.min).max_element()),
         },
         Mistake {
             name: "adds the cost of a branch to leaves too",
             hint: "A ray that enters a leaf opens no children: what does it pay for?",
             answer: |q| {
-                weighted(q, node_area, |q, n| {
+                priced(q, |q, n| {
                     node_price(q, n) + if n.count > 0 { q.branch } else { 0.0 }
                 })
             },
@@ -127,7 +138,7 @@ impl Graded for SahCost {
                 let root = q.nodes.first().map_or(1.0, node_area);
                 let of_branch =
                     |q: &SahCost, n: &NodeRow| if n.count == 0 { q.branch } else { 0.0 };
-                weighted(q, node_area, of_branch) + tests / root
+                priced(q, of_branch) + tests / root
             },
         },
         Mistake {
@@ -136,7 +147,7 @@ impl Graded for SahCost {
             answer: |q| {
                 let branches = q.nodes.iter().filter(|n| n.count == 0).count();
                 let root = q.nodes.first().map_or(1.0, node_area);
-                weighted(&free(q, true), node_area, node_price) + q.branch * branches as f32 / root
+                Self::misread(q, |q| q.branch = 0.0) + q.branch * branches as f32 / root
             },
         },
         Mistake {
@@ -158,7 +169,7 @@ impl Graded for SahCost {
         Mistake {
             name: "weighs by the sum of the sides",
             hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
-            answer: |q| weighted(q, |n| (n.max - n.min).element_sum(), node_price),
+            answer: |q| measured(q, |n| (n.max - n.min).element_sum()),
         },
     ];
 }
@@ -178,17 +189,6 @@ fn by_parents(q: &SahCost, node: usize, share: f32) -> f32 {
         by_parents(q, child, area / node_area(node))
     });
     own + below[0] + below[1]
-}
-
-/// The question where branches, or shapes, cost nothing.
-fn free(q: &SahCost, branches: bool) -> SahCost {
-    let mut q = q.clone();
-    if branches {
-        q.branch = 0.0;
-    } else {
-        q.shape = 0.0;
-    }
-    q
 }
 
 /// What a node and all below it cost, times the root's area, if each branch asks its first child only, and counts that some times.

@@ -1,6 +1,7 @@
 //! `sah_split`: random questions, judge and mistakes.
 
 use super::{area, around, center, crowd, heaps, no_dearer};
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -23,53 +24,67 @@ pub(super) fn cuts(boxes: &[BoxRow], key: fn(&BoxRow) -> Vec3) -> Vec<(usize, [V
     cuts
 }
 
-/// The cut of least cost by areas without the faces across an axis.
-fn without_faces(q: &SahSplit, axis: usize) -> Vec<u32> {
-    least_sum(q, |side| {
-        let s = around(&q.boxes, side).size();
-        let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
-        let area = match axis {
-            0 => of_y + of_z,
-            1 => of_x + of_z,
-            _ => of_x + of_y,
-        };
-        area * side.len() as f32
-    })
+/// How a cut is chosen: by which place of a box the rows are sorted, what a side costs, and what a cut does along an axis.
+#[derive(Clone, Copy)]
+struct How {
+    key: fn(&BoxRow) -> Vec3,
+    side: Side,
+    cut: Cut,
 }
 
-/// The left side of the cut that is least by some measure of a side's box and the number in it, left plus right.
-fn least(q: &SahSplit, side: fn(&Aabb, f32) -> f32) -> Vec<u32> {
-    least_sum(q, |s| side(&around(&q.boxes, s), s.len() as f32))
-}
+/// What a side costs.
+type Side = fn(&SahSplit, &[u32]) -> f32;
 
-/// The left side of the cut that is least by some measure of a side, left plus right.
-fn least_sum(q: &SahSplit, measure: impl Fn(&[u32]) -> f32) -> Vec<u32> {
-    cut_with(q, |_, [left, right]| measure(left) + measure(right))
-}
+/// What a cut along an axis costs, if a side costs as much as it does.
+type Cut = fn(&SahSplit, Side, usize, &[Vec<u32>; 2]) -> f32;
 
-fn cut_with(q: &SahSplit, cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32) -> Vec<u32> {
-    cheapest(cuts(&q.boxes, center), cost)
-}
-
-/// The left side of the cheapest of some cuts.
-fn cheapest(
-    cuts: Vec<(usize, [Vec<u32>; 2])>,
-    cost: impl Fn(usize, &[Vec<u32>; 2]) -> f32,
-) -> Vec<u32> {
-    let best = cuts
-        .into_iter()
-        .min_by(|a, b| cost(a.0, &a.1).total_cmp(&cost(b.0, &b.1)));
+/// The left side of the cheapest cut, but for what is changed.
+fn split(q: &SahSplit, change: impl FnOnce(&mut How)) -> Vec<u32> {
+    let right = How {
+        key: center,
+        side: |q, side| sah(&around(&q.boxes, side), side.len() as f32),
+        cut: sum,
+    };
+    let How { key, side, cut } = changed(right, change);
+    let cuts = cuts(&q.boxes, key).into_iter();
+    let best = cuts.min_by(|a, b| cut(q, side, a.0, &a.1).total_cmp(&cut(q, side, b.0, &b.1)));
     best.map_or(Vec::new(), |(_, [left, _])| left)
+}
+
+/// The cost of the left side and of the right one.
+fn sum(q: &SahSplit, side: Side, _axis: usize, [left, right]: &[Vec<u32>; 2]) -> f32 {
+    side(q, left) + side(q, right)
+}
+
+/// The left side of the cut that is cheapest if a side costs something else.
+fn least(q: &SahSplit, side: Side) -> Vec<u32> {
+    split(q, |how| how.side = side)
+}
+
+/// The left side of the cut that is cheapest if a cut costs something else.
+fn cut_with(q: &SahSplit, cut: Cut) -> Vec<u32> {
+    split(q, |how| how.cut = cut)
+}
+
+/// A side's number of boxes times the area of its box without the faces across an axis.
+fn without_faces<const AXIS: usize>(q: &SahSplit, side: &[u32]) -> f32 {
+    let s = around(&q.boxes, side).size();
+    let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
+    let area = match AXIS {
+        0 => of_y + of_z,
+        1 => of_x + of_z,
+        _ => of_x + of_y,
+    };
+    area * side.len() as f32
+}
+
+/// The box of a side, and how many are in it.
+fn whole(q: &SahSplit, side: &[u32]) -> (Aabb, f32) {
+    (around(&q.boxes, side), side.len() as f32)
 }
 
 fn sah(bounds: &Aabb, count: f32) -> f32 {
     area(bounds.min, bounds.max) * count
-}
-
-/// What a cut costs.
-fn cost(q: &SahSplit, sides: &[Vec<u32>; 2]) -> f32 {
-    let side = |side: &Vec<u32>| sah(&around(&q.boxes, side), side.len() as f32);
-    side(&sides[0]) + side(&sides[1])
 }
 
 /// The axis along which all boxes together are longest.
@@ -185,7 +200,7 @@ impl Graded for SahSplit {
             name: "returns the first boxes in the order of the axis that was sorted last",
             hint: "The cheapest cut belongs to an axis: in which order are the boxes when you return those on its left?",
             answer: |q| {
-                let left = least(q, sah).len();
+                let left = split(q, |_| {}).len();
                 let last = cuts(&q.boxes, center).into_iter().rev();
                 let mut last = last.map(|(_, sides)| sides.concat());
                 last.next()
@@ -196,7 +211,7 @@ impl Graded for SahSplit {
             name: "puts half of the boxes on each side",
             hint: "One box lies far away from nine others: should any of the nine share a side with it?",
             answer: |q| {
-                cut_with(q, |axis, [left, right]| {
+                cut_with(q, |q, _, axis, [left, right]| {
                     let off = left.len().abs_diff(right.len());
                     off as f32 + if axis == longest(q) { 0.0 } else { 100.0 }
                 })
@@ -206,10 +221,10 @@ impl Graded for SahSplit {
             name: "tries only the cut in the middle of each axis's row",
             hint: "One box lies far away from nine others: is the cheapest cut that which leaves five boxes on each side?",
             answer: |q| {
-                cut_with(q, |_, sides| {
+                cut_with(q, |q, side, _, sides| {
                     let is_middle = sides[0].len() == q.boxes.len() / 2;
                     if is_middle {
-                        cost(q, sides)
+                        sum(q, side, 0, sides)
                     } else {
                         f32::INFINITY
                     }
@@ -220,7 +235,7 @@ impl Graded for SahSplit {
             name: "looks for the cut whose sides overlap least",
             hint: "Two sides that do not overlap may be large all the same: what does a ray pay for a side that it meets?",
             answer: |q| {
-                cut_with(q, |_, [left, right]| {
+                cut_with(q, |q, _, _, [left, right]| {
                     let [left, right] = [left, right].map(|side| around(&q.boxes, side));
                     let (min, max) = (left.min.max(right.min), left.max.min(right.max));
                     (max - min).max(Vec3::ZERO).element_product()
@@ -231,7 +246,7 @@ impl Graded for SahSplit {
             name: "looks for two sides that cost the same, and not for the least sum",
             hint: "A side's cost is what a ray pays that meets it: is it well spent where both are high?",
             answer: |q| {
-                cut_with(q, |_, sides| {
+                cut_with(q, |q, _, _, sides| {
                     let [left, right] =
                         [0, 1].map(|i| sah(&around(&q.boxes, &sides[i]), sides[i].len() as f32));
                     (left - right).abs()
@@ -250,56 +265,89 @@ impl Graded for SahSplit {
             name: "tries the longest axis only",
             hint: "Is the best cut always across the longest side?",
             answer: |q| {
-                cut_with(q, |axis, sides| {
-                    cost(q, sides) + if axis == longest(q) { 0.0 } else { 1e9 }
+                cut_with(q, |q, side, axis, sides| {
+                    sum(q, side, 0, sides) + if axis == longest(q) { 0.0 } else { 1e9 }
                 })
             },
         },
         Mistake {
             name: "tries the x axis only",
             hint: "Stack the boxes along y: where do you cut?",
-            answer: |q| cut_with(q, |axis, sides| cost(q, sides) + 1e9 * axis as f32),
+            answer: |q| {
+                cut_with(q, |q, side, axis, sides| {
+                    sum(q, side, 0, sides) + 1e9 * axis as f32
+                })
+            },
         },
         Mistake {
             name: "does not multiply by the number of shapes",
             hint: "What does a ray that meets a side's box do there, and how often?",
-            answer: |q| least(q, |bounds, _| area(bounds.min, bounds.max)),
+            answer: |q| {
+                least(q, |q, side| {
+                    let (bounds, _) = whole(q, side);
+                    area(bounds.min, bounds.max)
+                })
+            },
         },
         Mistake {
             name: "weighs by volume",
             hint: "How large is the chance that a ray meets a flat box, which has no volume?",
-            answer: |q| least(q, |bounds, count| bounds.size().element_product() * count),
+            answer: |q| {
+                least(q, |q, side| {
+                    let (bounds, count) = whole(q, side);
+                    bounds.size().element_product() * count
+                })
+            },
         },
         Mistake {
             name: "weighs by the longest side",
             hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
-            answer: |q| least(q, |bounds, count| bounds.size().max_element() * count),
+            answer: |q| {
+                least(q, |q, side| {
+                    let (bounds, count) = whole(q, side);
+                    bounds.size().max_element() * count
+                })
+            },
         },
         Mistake {
             name: "adds the extents for the area",
             hint: "In which unit is an area, and in which is your sum?",
-            answer: |q| least(q, |bounds, count| bounds.size().element_sum() * count),
+            answer: |q| {
+                least(q, |q, side| {
+                    let (bounds, count) = whole(q, side);
+                    bounds.size().element_sum() * count
+                })
+            },
         },
         Mistake {
             name: "takes the most expensive cut",
             hint: "A cost is something to keep small: which way round do you compare?",
-            answer: |q| least(q, |bounds, count| -sah(bounds, count)),
+            answer: |q| {
+                least(q, |q, side| {
+                    let (bounds, count) = whole(q, side);
+                    -sah(&bounds, count)
+                })
+            },
         },
         Mistake {
             name: "cuts off a single box",
             hint: "If the left side has one box, how much work is left on the right?",
-            answer: |q| cut_with(q, |axis, [left, _]| left.len() as f32 + 0.1 * axis as f32),
+            answer: |q| {
+                cut_with(q, |_, _, axis, [left, _]| {
+                    left.len() as f32 + 0.1 * axis as f32
+                })
+            },
         },
         Mistake {
             name: "sorts by the least corners",
             hint: "A long box begins before most others and ends after them: between which of them does it stand in your row?",
-            answer: |q| cheapest(cuts(&q.boxes, |b| b.min), |_, sides| cost(q, sides)),
+            answer: |q| split(q, |how| how.key = |b| b.min),
         },
         Mistake {
             name: "multiplies each side by the number of boxes on the other",
             hint: "A ray that meets the left box: which shapes does it test there?",
             answer: |q| {
-                cut_with(q, |_, [left, right]| {
+                cut_with(q, |q, _, _, [left, right]| {
                     let side = |side: &Vec<u32>, count: &Vec<u32>| {
                         sah(&around(&q.boxes, side), count.len() as f32)
                     };
@@ -310,24 +358,24 @@ impl Graded for SahSplit {
         Mistake {
             name: "leaves the faces across x out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| without_faces(q, 0),
+            answer: |q| least(q, without_faces::<0>),
         },
         Mistake {
             name: "leaves the faces across y out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| without_faces(q, 1),
+            answer: |q| least(q, without_faces::<1>),
         },
         Mistake {
             name: "leaves the faces across z out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| without_faces(q, 2),
+            answer: |q| least(q, without_faces::<2>),
         },
         Mistake {
             name: "keeps the best cut of the last axis, and forgets those of the others",
             hint: "Where does the least cost so far begin at infinity: before the loop over the axes, or in it?",
             answer: |q| {
-                cut_with(q, |axis, sides| {
-                    cost(q, sides) + if axis == 2 { 0.0 } else { 1e9 }
+                cut_with(q, |q, side, axis, sides| {
+                    sum(q, side, 0, sides) + if axis == 2 { 0.0 } else { 1e9 }
                 })
             },
         },
@@ -335,11 +383,11 @@ impl Graded for SahSplit {
             name: "never tries to leave one box on the right",
             hint: "Of n boxes in a row there are n − 1 cuts: which is the last?",
             answer: |q| {
-                cut_with(q, |_, sides| {
+                cut_with(q, |q, side, _, sides| {
                     if sides[1].len() == 1 {
                         f32::INFINITY
                     } else {
-                        cost(q, sides)
+                        sum(q, side, 0, sides)
                     }
                 })
             },
@@ -348,11 +396,11 @@ impl Graded for SahSplit {
             name: "never tries to leave one box on the left",
             hint: "Of n boxes in a row there are n − 1 cuts: which is the first?",
             answer: |q| {
-                cut_with(q, |_, sides| {
+                cut_with(q, |q, side, _, sides| {
                     if sides[0].len() == 1 {
                         f32::INFINITY
                     } else {
-                        cost(q, sides)
+                        sum(q, side, 0, sides)
                     }
                 })
             },
@@ -361,7 +409,7 @@ impl Graded for SahSplit {
             name: "measures the boxes around the centres, not around the boxes",
             hint: "A side's box must hold the whole of its members: does a box around their centres?",
             answer: |q| {
-                least_sum(q, |side| {
+                least(q, |q, side| {
                     let centers = side.iter().map(|i| center(&q.boxes[*i as usize]));
                     sah(&Aabb::of(centers), side.len() as f32)
                 })

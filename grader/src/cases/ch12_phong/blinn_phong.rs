@@ -2,7 +2,8 @@
 
 use super::highlight::{
     BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_colour, power_of_more, radiance, random, with_highlight,
+    power, power_of_colour, power_of_more, radiance, random, shining_through, with_highlight,
+    with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -82,9 +83,11 @@ impl Graded for BlinnPhongExercise {
             name: "lets the highlight shine through from behind",
             hint: "Put the light just below the surface: N·H may still be large; should there be a highlight?",
             answer: |q| {
-                let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal).max(0.0);
-                (diffuse + q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at))
-                    * q.at.arriving
+                with_terms(
+                    &q.at,
+                    power(half(&q.at).dot(*q.at.normal), &q.at),
+                    shining_through,
+                )
             },
         },
         Mistake {
@@ -137,7 +140,13 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
-            answer: |q| highlight_without_light(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
+            answer: |q| {
+                with_terms(
+                    &q.at,
+                    power(half(&q.at).dot(*q.at.normal), &q.at),
+                    highlight_without_light,
+                )
+            },
         },
         Mistake {
             name: "multiplies the highlight by L·N",
@@ -152,7 +161,13 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| matte_without_cosine(&q.at, power(half(&q.at).dot(*q.at.normal), &q.at)),
+            answer: |q| {
+                with_terms(
+                    &q.at,
+                    power(half(&q.at).dot(*q.at.normal), &q.at),
+                    matte_without_cosine,
+                )
+            },
         },
         Mistake {
             name: "multiplies by the exponent instead of raising to it",

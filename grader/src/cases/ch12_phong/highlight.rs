@@ -1,6 +1,7 @@
 //! What `phong` and `blinn_phong` share: the questions, the picture, and the judge.
 
 use super::channels;
+use crate::upon::changed;
 use crate::{Verdict, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -18,8 +19,23 @@ pub(super) fn half(q: &Highlight) -> Vec3 {
     (*q.toward + *q.view).normalize_or_zero()
 }
 
+/// Both terms, of a number in the place of the highlight's (R·V)^α or (N·H)^α.
+type Terms = fn(&Highlight, f32) -> Rgb;
+
 /// Both terms of a light above the surface, with this number in the place of the highlight's (R·V)^α or (N·H)^α.
 pub(super) fn with_highlight(q: &Highlight, highlight: f32) -> Rgb {
+    let terms = changed(from_above as Terms, |_| {});
+    terms(q, highlight)
+}
+
+/// The same, but with other terms.
+pub(super) fn with_terms(q: &Highlight, highlight: f32, other: Terms) -> Rgb {
+    let terms = changed(from_above as Terms, |terms| *terms = other);
+    terms(q, highlight)
+}
+
+/// Nothing from a light below the surface.
+fn from_above(q: &Highlight, highlight: f32) -> Rgb {
     let cosine = q.toward.dot(*q.normal);
     if cosine > 0.0 {
         (q.diffuse * cosine + q.specular * highlight) * q.arriving
@@ -28,9 +44,15 @@ pub(super) fn with_highlight(q: &Highlight, highlight: f32) -> Rgb {
     }
 }
 
+/// The highlight shines through from a light below the surface.
+pub(super) fn shining_through(q: &Highlight, highlight: f32) -> Rgb {
+    let diffuse = q.diffuse * q.toward.dot(*q.normal).max(0.0);
+    (diffuse + q.specular * highlight) * q.arriving
+}
+
 /// Both terms, but what arrives is forgotten in the highlight, which has this number in the place of its power.
 pub(super) fn highlight_without_light(q: &Highlight, highlight: f32) -> Rgb {
-    let matte = with_highlight(q, 0.0);
+    let matte = from_above(q, 0.0);
     if q.toward.dot(*q.normal) > 0.0 {
         matte + q.specular * highlight
     } else {

@@ -2,7 +2,8 @@
 
 use super::highlight::{
     BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_colour, power_of_more, radiance, random, with_highlight,
+    power, power_of_colour, power_of_more, radiance, random, shining_through, with_highlight,
+    with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -23,9 +24,11 @@ impl Graded for PhongExercise {
             name: "lets the highlight shine through from behind",
             hint: "Put the light below the surface: the diffuse part vanishes; does everything?",
             answer: |q| {
-                let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal).max(0.0);
-                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at))
-                    * q.at.arriving
+                with_terms(
+                    &q.at,
+                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
+                    shining_through,
+                )
             },
         },
         Mistake {
@@ -101,13 +104,23 @@ impl Graded for PhongExercise {
             name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
             answer: |q| {
-                highlight_without_light(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at))
+                with_terms(
+                    &q.at,
+                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
+                    highlight_without_light,
+                )
             },
         },
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| matte_without_cosine(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),
+            answer: |q| {
+                with_terms(
+                    &q.at,
+                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
+                    matte_without_cosine,
+                )
+            },
         },
         Mistake {
             name: "takes N·V for R·V",

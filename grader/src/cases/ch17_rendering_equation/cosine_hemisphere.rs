@@ -3,6 +3,7 @@
 use super::at_height;
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
@@ -10,7 +11,27 @@ use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
-/// The lattice's images, given in coordinates whose z is the normal.
+/// How two uniform numbers make a direction, in coordinates whose z is the normal: the cosine of the first, and the angle around the normal of
+/// both.
+#[derive(Clone, Copy)]
+struct How {
+    cosine: fn(f32) -> f32,
+    turn: fn(Vec2) -> f32,
+}
+
+/// The lattice's images, but for what is changed.
+fn chosen(q: &CosineHemisphere, change: impl FnOnce(&mut How)) -> Vec<Vec3> {
+    let right = How {
+        cosine: |u| (1.0 - u).sqrt(),
+        turn: |u| TAU * u.y,
+    };
+    let How { cosine, turn } = changed(right, change);
+    let basis = Basis::around(q.normal);
+    let image = |u: Vec2| basis.to_world(at_height(cosine(u.x), turn(u)));
+    lattice(q.n).map(image).collect()
+}
+
+/// The lattice's images by another map, given in coordinates whose z is the normal.
 fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     let basis = Basis::around(q.normal);
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
@@ -230,17 +251,17 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "takes all directions for equally likely",
             hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
-            answer: |q| around(q, |u| at_height(1.0 - u.x, TAU * u.y)),
+            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - u),
         },
         Mistake {
             name: "takes a uniform number itself for the radius on the disc",
             hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x * u.x).sqrt(), TAU * u.y)),
+            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u * u).sqrt()),
         },
         Mistake {
             name: "spreads the angle to the normal evenly",
             hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
-            answer: |q| around(q, |u| at_height((FRAC_PI_2 * u.x).cos(), TAU * u.y)),
+            answer: |q| chosen(q, |how| how.cosine = |u| (FRAC_PI_2 * u).cos()),
         },
         Mistake {
             name: "ignores the normal",
@@ -250,7 +271,7 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "goes only half way round",
             hint: "Add up all your directions: does the sum point along the normal?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), PI * u.y)),
+            answer: |q| chosen(q, |how| how.turn = |u| PI * u.y),
         },
         Mistake {
             name: "leaves the disc at a height of 1 − r",
@@ -265,17 +286,17 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "fills the whole sphere",
             hint: "Which of your directions point into the surface?",
-            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y)),
+            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - 2.0 * u),
         },
         Mistake {
             name: "uses one of the two numbers twice",
             hint: "Draw your directions on the disc: do they fill it, or do they make a spiral?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), TAU * u.x)),
+            answer: |q| chosen(q, |how| how.turn = |u| TAU * u.x),
         },
         Mistake {
             name: "has a density in proportion to cos²θ",
             hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).cbrt(), TAU * u.y)),
+            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u).cbrt()),
         },
         Mistake {
             name: "forgets the root in the height over the disc",
@@ -320,7 +341,7 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "goes only a quarter of the way round",
             hint: "Add up all your directions: does the sum point along the normal?",
-            answer: |q| around(q, |u| at_height((1.0 - u.x).sqrt(), FRAC_PI_2 * u.y)),
+            answer: |q| chosen(q, |how| how.turn = |u| FRAC_PI_2 * u.y),
         },
         Mistake {
             name: "takes the world's x and y for the two axes beside the normal",

@@ -1,6 +1,7 @@
 //! `reflected_radiance`: an estimate, held against the integral.
 
 use super::{at_height, colour};
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, together::Bounds, traits};
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
@@ -26,19 +27,41 @@ fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb;
     sums
 }
 
-/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean; the weight is of the cosine.
-fn weighted(q: &ReflectedRadiance, weight: impl Fn(f32) -> f32) -> Rgb {
-    estimated(q, |d| weight(d.dot(*q.normal)))
+/// What is integrated: the BRDF, the light, and a weight, which is the density of the directions that are chosen over that by which is divided.
+#[derive(Clone, Copy)]
+struct How {
+    brdf: fn(&ReflectedRadiance, Dir3) -> Rgb,
+    sky: fn(&ReflectedRadiance, Dir3) -> Rgb,
+    weight: fn(&ReflectedRadiance, Dir3) -> f32,
 }
 
-/// The same with a weight of the direction: the density of the directions that are chosen, over that by which is divided.
-fn estimated(q: &ReflectedRadiance, weight: impl Fn(Dir3) -> f32) -> Rgb {
-    let brdf = q.brdf();
+/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean: with a change.
+fn integrated(q: &ReflectedRadiance, change: impl FnOnce(&mut How)) -> Rgb {
+    let right = How {
+        brdf: |q, d| q.brdf().value(q.normal, q.view, d),
+        sky: ReflectedRadiance::sky,
+        weight: |_, _| 1.0,
+    };
+    let How { brdf, sky, weight } = changed(right, change);
     let [sum] = integral(q.normal, |d| {
-        let light = brdf.value(q.normal, q.view, d) * q.sky(d) * d.dot(*q.normal);
-        [light * weight(d)]
+        [brdf(q, d) * sky(q, d) * d.dot(*q.normal) * weight(q, d)]
     });
     sum
+}
+
+/// The same with a weight.
+fn estimated(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
+    integrated(q, |how| how.weight = weight)
+}
+
+/// The same with another light.
+fn under(q: &ReflectedRadiance, sky: fn(&ReflectedRadiance, Dir3) -> Rgb) -> Rgb {
+    integrated(q, |how| how.sky = sky)
+}
+
+/// The cosine of the angle between a direction and the normal.
+fn cosine(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    d.dot(*q.normal)
 }
 
 /// The density (n + 1)/2π · cosⁿ α around an axis.
@@ -59,15 +82,6 @@ fn highlight(q: &ReflectedRadiance, n: f32, d: Dir3) -> f32 {
 /// The density of directions of which half are chosen by the cosine and half by the highlight.
 fn both(q: &ReflectedRadiance, d: Dir3) -> f32 {
     0.5 * (matte(q, d) + highlight(q, q.exponent, d))
-}
-
-/// ∫ f L_i cos θ dω with another light in the place of L_i.
-fn under(q: &ReflectedRadiance, sky: impl Fn(Dir3) -> Rgb) -> Rgb {
-    let brdf = q.brdf();
-    let [sum] = integral(q.normal, |d| {
-        [brdf.value(q.normal, q.view, d) * sky(d) * d.dot(*q.normal)]
-    });
-    sum
 }
 
 /// The integral, and the standard deviation of the estimate that scatters most among those that may well be written.
@@ -216,32 +230,32 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "forgets the cosine",
             hint: "A beam that arrives at a slant is spread over more of the surface: where does that come in?",
-            answer: |q| weighted(q, |cosine| 1.0 / cosine),
+            answer: |q| estimated(q, |q, d| 1.0 / cosine(q, d)),
         },
         Mistake {
             name: "chooses directions uniformly and forgets to divide by the density",
             hint: "The mean over the hemisphere is not yet the integral: how large is the hemisphere?",
-            answer: |q| weighted(q, |_| hemisphere::UNIFORM),
+            answer: |q| estimated(q, |_, _| hemisphere::UNIFORM),
         },
         Mistake {
             name: "returns twice the radiance",
             hint: "Over how many steradians are your directions spread: those of the density, or half of them? By how many samples do you divide? How bright is the sky at its zenith?",
-            answer: |q| weighted(q, |_| 2.0),
+            answer: |q| estimated(q, |_, _| 2.0),
         },
         Mistake {
             name: "chooses directions uniformly and divides by the density of the cosine",
             hint: "Is p the density of the directions that you really chose?",
-            answer: |q| weighted(q, |cosine| 0.5 / cosine),
+            answer: |q| estimated(q, |q, d| 0.5 / cosine(q, d)),
         },
         Mistake {
             name: "chooses directions by the cosine and divides by the uniform density",
             hint: "Is p the density of the directions that you really chose?",
-            answer: |q| weighted(q, |cosine| 2.0 * cosine),
+            answer: |q| estimated(q, |q, d| 2.0 * cosine(q, d)),
         },
         Mistake {
             name: "adds up without dividing by the number of samples",
             hint: "Take twice as many samples: does your surface get brighter?",
-            answer: |q| weighted(q, |_| q.samples as f32),
+            answer: |q| estimated(q, |q, _| q.samples as f32),
         },
         Mistake {
             name: "looks at the sky along the normal only",
@@ -251,48 +265,42 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "multiplies by π once more",
             hint: "A white surface under a sky of the same radiance everywhere looks as bright as the sky: does yours?",
-            answer: |q| weighted(q, |_| PI),
+            answer: |q| estimated(q, |_, _| PI),
         },
         Mistake {
             name: "returns half of the radiance",
             hint: "Half of a sphere is below the surface, and no light comes from there: what do such samples add, and to what density do they belong? Of directions chosen in two ways, half each, which density has one of them?",
-            answer: |q| weighted(q, |_| 0.5),
+            answer: |q| estimated(q, |_, _| 0.5),
         },
         Mistake {
             name: "takes the normal for the sky's zenith",
             hint: "The sky stays where it is when the surface is turned: between which two directions is γ?",
-            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.dot(*q.normal))),
+            answer: |q| under(q, |q, d| q.radiance * (0.5 + 0.5 * d.dot(*q.normal))),
         },
         Mistake {
             name: "takes +y for the sky's zenith",
             hint: "The zenith is given: is it always +y?",
-            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.y)),
+            answer: |q| under(q, |q, d| q.radiance * (0.5 + 0.5 * d.y)),
         },
         Mistake {
             name: "takes cos γ for the sky, without the ½ (1 + cos γ)",
             hint: "How bright is the sky at its horizon, where γ is 90°?",
-            answer: |q| under(q, |d| q.radiance * d.dot(*q.zenith).max(0.0)),
+            answer: |q| under(q, |q, d| q.radiance * d.dot(*q.zenith).max(0.0)),
         },
         Mistake {
             name: "takes the same light from all of the sky",
             hint: "Is the sky as bright at its horizon as at its zenith?",
-            answer: |q| under(q, |_| q.radiance),
+            answer: |q| under(q, |q, _| q.radiance),
         },
         Mistake {
             name: "multiplies by the sky's ½ (1 + cos γ) twice",
             hint: "How bright is the sky at its horizon, where γ is 90°: half as bright as at its zenith, or a quarter?",
-            answer: |q| under(q, |d| q.sky(d) * (0.5 + 0.5 * d.dot(*q.zenith))),
+            answer: |q| under(q, |q, d| q.sky(d) * (0.5 + 0.5 * d.dot(*q.zenith))),
         },
         Mistake {
             name: "takes the direction to the light for the viewer's in the BRDF",
             hint: "The BRDF has two directions, to the light and to the viewer: which of them do you hand over?",
-            answer: |q| {
-                let brdf = q.brdf();
-                let [sum] = integral(q.normal, |d| {
-                    [brdf.value(q.normal, d, d) * q.sky(d) * d.dot(*q.normal)]
-                });
-                sum
-            },
+            answer: |q| integrated(q, |how| how.brdf = |q, d| q.brdf().value(q.normal, d, d)),
         },
         Mistake {
             name: "leaves out the highlight",
@@ -307,17 +315,17 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "chooses directions by the cosine and forgets to divide by the density",
             hint: "Where many directions are chosen, each of them counts less: by what do you divide?",
-            answer: |q| weighted(q, |cosine| cosine / PI),
+            answer: |q| estimated(q, |q, d| cosine(q, d) / PI),
         },
         Mistake {
             name: "multiplies by the cosine twice",
             hint: "If directions are chosen by the cosine, the density holds one cosine and the integrand another: is there a third in yours?",
-            answer: |q| weighted(q, |cosine| cosine),
+            answer: |q| estimated(q, cosine),
         },
         Mistake {
             name: "looks at the sky in the viewer's direction, whatever direction is chosen",
             hint: "From which directions does light arrive at the surface?",
-            answer: |q| under(q, |_| q.sky(q.view)),
+            answer: |q| under(q, |q, _| q.sky(q.view)),
         },
         Mistake {
             name: "takes (n + 1)/2π for the factor of the highlight in the BRDF",
@@ -328,58 +336,62 @@ impl Graded for ReflectedRadiance {
                     specular: q.specular * ((n + 1.0) / (n + 2.0)),
                     ..q.clone()
                 };
-                weighted(&dimmer, |_| 1.0)
+                integrated(&dimmer, |_| {})
             },
         },
         Mistake {
             name: "chooses half of the directions by a lobe of another exponent than in the density",
             hint: "A number to the power of 1/(n + 1) belongs to the density (n + 1)/2π · cosⁿ α: does yours?",
             answer: |q| {
-                let chosen = |d| 0.5 * (matte(q, d) + highlight(q, q.exponent + 1.0, d));
-                estimated(q, |d| chosen(d) / both(q, d))
+                estimated(q, |q, d| {
+                    0.5 * (matte(q, d) + highlight(q, q.exponent + 1.0, d)) / both(q, d)
+                })
             },
         },
         Mistake {
             name: "takes (n + 2)/2π for the factor of the lobe's density",
             hint: "The integral of a density over all directions is 1: is that of cosⁿ α times your factor?",
             answer: |q| {
-                let n = q.exponent;
-                let factor = (n + 2.0) / (n + 1.0);
-                let divided = |d| 0.5 * (matte(q, d) + factor * highlight(q, n, d));
-                estimated(q, |d| both(q, d) / divided(d))
+                estimated(q, |q, d| {
+                    let n = q.exponent;
+                    let factor = (n + 2.0) / (n + 1.0);
+                    both(q, d) / (0.5 * (matte(q, d) + factor * highlight(q, n, d)))
+                })
             },
         },
         Mistake {
             name: "exchanges the exponents of both lobes: the cosine to the power of n around the normal, and the cosine itself around the mirrored viewer",
             hint: "Which of your two ways of choosing is that of the matte part, and which that of the highlight?",
             answer: |q| {
-                let chosen = |d| 0.5 * (lobe(*q.normal, q.exponent, d) + highlight(q, 1.0, d));
-                estimated(q, |d| chosen(d) / both(q, d))
+                estimated(q, |q, d| {
+                    0.5 * (lobe(*q.normal, q.exponent, d) + highlight(q, 1.0, d)) / both(q, d)
+                })
             },
         },
         Mistake {
             name: "forgets the π in the cosine's part of a density of two",
             hint: "The integral of a density over all directions is 1: is that of cos θ?",
             answer: |q| {
-                let divided = |d| 0.5 * (PI * matte(q, d) + highlight(q, q.exponent, d));
-                estimated(q, |d| both(q, d) / divided(d))
+                estimated(q, |q, d| {
+                    both(q, d) / (0.5 * (PI * matte(q, d) + highlight(q, q.exponent, d)))
+                })
             },
         },
         Mistake {
             name: "divides directions that are chosen in two ways by the density of the cosine only",
             hint: "A direction may come from either of your two ways of choosing: what is the density of both together?",
-            answer: |q| estimated(q, |d| both(q, d) / matte(q, d)),
+            answer: |q| estimated(q, |q, d| both(q, d) / matte(q, d)),
         },
         Mistake {
             name: "divides directions that are chosen in two ways by the density of the highlight only",
             hint: "A direction may come from either of your two ways of choosing: what is the density of both together?",
-            answer: |q| estimated(q, |d| both(q, d) / highlight(q, q.exponent, d).max(1e-9)),
+            answer: |q| estimated(q, |q, d| both(q, d) / highlight(q, q.exponent, d).max(1e-9)),
         },
         Mistake {
             name: "divides each of two kinds of directions by its own density, although the highlight's reach no direction beyond 90° from its axis",
             hint: "Half of your samples never come to some directions in which the matte part has light: who stands for them?",
             answer: |q| {
-                estimated(q, |d| {
+                estimated(q, |q, d| {
                     let is_reached = highlight(q, q.exponent, d) > 0.0;
                     if is_reached { 1.0 } else { 0.5 }
                 })
@@ -390,29 +402,29 @@ impl Graded for ReflectedRadiance {
             hint: "A direction below the surface brings no light; is it a sample all the same?",
             answer: |q| {
                 let [above] = integral(q.normal, |d| [Rgb::gray(both(q, d))]);
-                estimated(q, |_| 1.0 / above.g)
+                integrated(q, |_| {}) / above.g
             },
         },
         Mistake {
             name: "takes the viewer's direction for the sky's zenith",
             hint: "The sky stays where it is when you walk around: between which two directions is γ?",
-            answer: |q| under(q, |d| q.radiance * (0.5 + 0.5 * d.dot(*q.view))),
+            answer: |q| under(q, |q, d| q.radiance * (0.5 + 0.5 * d.dot(*q.view))),
         },
         Mistake {
             name: "chooses directions by the cosine only, and divides by the density of two ways of choosing",
             hint: "Is p the density of the directions that you really chose?",
-            answer: |q| estimated(q, |d| matte(q, d) / both(q, d)),
+            answer: |q| estimated(q, |q, d| matte(q, d) / both(q, d)),
         },
         Mistake {
             name: "chooses directions by the highlight only, and divides by the density of two ways of choosing",
             hint: "Is p the density of the directions that you really chose?",
-            answer: |q| estimated(q, |d| highlight(q, q.exponent, d) / both(q, d)),
+            answer: |q| estimated(q, |q, d| highlight(q, q.exponent, d) / both(q, d)),
         },
         Mistake {
             name: "takes the sky for black where it is more than 90° from its zenith",
             hint: "The sky's formula holds for every angle from its zenith: is it 0 at 90°?",
             answer: |q| {
-                under(q, |d| {
+                under(q, |q, d| {
                     if d.dot(*q.zenith) < 0.0 {
                         Rgb::BLACK
                     } else {

@@ -2,6 +2,7 @@
 
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -13,15 +14,26 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
 /// Points that tell how evenly the disc is filled; fewer tell it less well.
 const ENOUGH: usize = 200;
 
-/// What is asked of a question here.
-pub(super) trait InSquare {
-    fn mapped(&self, map: fn(Vec2) -> Vec2) -> Vec<Vec2>;
+/// How points of the square are made, and where in the disc they come.
+#[derive(Clone, Copy)]
+struct How {
+    points: fn(&ConcentricDisk) -> Vec<Vec2>,
+    map: fn(Vec2) -> Vec2,
 }
 
-impl InSquare for ConcentricDisk {
-    fn mapped(&self, map: fn(Vec2) -> Vec2) -> Vec<Vec2> {
-        self.points().map(map).collect()
-    }
+/// The points in the disc, but for what is changed.
+fn in_disc(q: &ConcentricDisk, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
+    let right = How {
+        points: |q| q.points().collect(),
+        map: concentric_disk,
+    };
+    let How { points, map } = changed(right, change);
+    points(q).into_iter().map(map).collect()
+}
+
+/// The points in the disc by another map.
+fn mapped(q: &ConcentricDisk, map: fn(Vec2) -> Vec2) -> Vec<Vec2> {
+    in_disc(q, |how| how.map = map)
 }
 
 /// Radius and angle of the concentric map for (a, b) = 2u − 1.
@@ -254,23 +266,23 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "takes a uniform number itself for the radius",
             hint: "The inner half of the radius holds a quarter of the area: how many of your points?",
-            answer: |q| q.mapped(|u| u.x * Vec2::from_angle(TAU * u.y)),
+            answer: |q| mapped(q, |u| u.x * Vec2::from_angle(TAU * u.y)),
         },
         Mistake {
             name: "returns the points of a square, from −1 to 1",
             hint: "How far from the middle are the square's corners?",
-            answer: |q| q.mapped(|u| 2.0 * u - 1.0),
+            answer: |q| mapped(q, |u| 2.0 * u - 1.0),
         },
         Mistake {
             name: "returns the square inside the disc",
             hint: "Do your points reach the disc's edge everywhere?",
-            answer: |q| q.mapped(|u| FRAC_1_SQRT_2 * (2.0 * u - 1.0)),
+            answer: |q| mapped(q, |u| FRAC_1_SQRT_2 * (2.0 * u - 1.0)),
         },
         Mistake {
             name: "draws the square's corners in along straight lines",
             hint: "On a side of the square, are equal steps equal angles, seen from the middle?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let p = 2.0 * u - 1.0;
                     p.abs().max_element() * p.normalize_or_zero()
                 })
@@ -280,7 +292,7 @@ impl Graded for ConcentricDisk {
             name: "bends the square's sides into arcs",
             hint: "It is a disc, but count your points near its middle, and near its edge.",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let p = 2.0 * u - 1.0;
                     p * (1.0 - 0.5 * vec2(p.y * p.y, p.x * p.x)).map(f32::sqrt)
                 })
@@ -289,13 +301,13 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "fills a quarter of the disc",
             hint: "u goes from 0 to 1: from where to where goes a coordinate on the disc?",
-            answer: |q| q.mapped(|u| concentric_disk(0.5 + 0.5 * u)),
+            answer: |q| mapped(q, |u| concentric_disk(0.5 + 0.5 * u)),
         },
         Mistake {
             name: "has the wrong angle above and below",
             hint: "On the square's left and right sides your angle is correct: from which axis is the angle measured on the other two?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let (r, phi) = by_sides(a, b);
                     let wrong = if r == a { phi } else { FRAC_PI_2 - phi };
@@ -307,7 +319,7 @@ impl Graded for ConcentricDisk {
             name: "fills only half of the disc",
             hint: "On the left and below, what does a negative radius do, or what must the angle do?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let (r, phi) = by_sides(a, b);
                     r.abs() * Vec2::from_angle(phi)
@@ -318,7 +330,7 @@ impl Graded for ConcentricDisk {
             name: "divides 0 by 0 in the middle",
             hint: "Which angle has the middle of the square?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let (r, phi) = by_sides(a, b);
                     r * Vec2::from_angle(phi)
@@ -328,28 +340,28 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "makes a disc of half the radius",
             hint: "The unit disc has the radius 1: which points are at its edge?",
-            answer: |q| q.mapped(|u| 0.5 * concentric_disk(u)),
+            answer: |q| mapped(q, |u| 0.5 * concentric_disk(u)),
         },
         Mistake {
             name: "takes the cube root for the radius",
             hint: "In a disc, how does the area within r grow: with r² or with r³?",
-            answer: |q| q.mapped(|u| u.x.cbrt() * Vec2::from_angle(TAU * u.y)),
+            answer: |q| mapped(q, |u| u.x.cbrt() * Vec2::from_angle(TAU * u.y)),
         },
         Mistake {
             name: "uses one number for radius and angle",
             hint: "Do your points fill the disc, or a spiral in it?",
-            answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(TAU * u.x)),
+            answer: |q| mapped(q, |u| u.x.sqrt() * Vec2::from_angle(TAU * u.x)),
         },
         Mistake {
             name: "goes only half way round",
             hint: "From where to where does your angle go?",
-            answer: |q| q.mapped(|u| u.x.sqrt() * Vec2::from_angle(0.5 * TAU * u.y)),
+            answer: |q| mapped(q, |u| u.x.sqrt() * Vec2::from_angle(0.5 * TAU * u.y)),
         },
         Mistake {
             name: "has the quotients of both coordinates upside down in the angle",
             hint: "Near an axis the angle is near 0 there: which of the two coordinates is the small one?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let quotient =
                         |over: f32, under: f32| if under == 0.0 { 0.0 } else { over / under };
@@ -365,7 +377,7 @@ impl Graded for ConcentricDisk {
             name: "forgets π/2 in the angle above and below",
             hint: "Straight above the middle, how large is the angle from the x axis?",
             answer: |q| {
-                q.mapped(|u| {
+                mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     if a.abs() > b.abs() {
                         a * Vec2::from_angle(FRAC_PI_4 * b / a)
@@ -381,13 +393,17 @@ impl Graded for ConcentricDisk {
             name: "does not bring back into the square what the shift moves out of it",
             hint: "The points are fractional parts: what becomes of a coordinate above 1?",
             answer: |q| {
-                let lattice = ConcentricDisk {
-                    shift: Vec2::ZERO,
-                    ..q.clone()
-                };
-                let moved = |u: Vec2| concentric_disk(vec2(u.x + q.shift.x, u.y));
-                let rows = lattice.points().zip(q.points());
-                rows.map(|(u, right)| moved(vec2(u.x, right.y))).collect()
+                in_disc(q, |how| {
+                    how.points = |q| {
+                        let lattice = ConcentricDisk {
+                            shift: Vec2::ZERO,
+                            ..q.clone()
+                        };
+                        let rows = lattice.points().zip(q.points());
+                        let moved = |(u, right): (Vec2, Vec2)| vec2(u.x + q.shift.x, right.y);
+                        rows.map(moved).collect()
+                    }
+                })
             },
         },
     ];

@@ -1,5 +1,6 @@
 //! `pixel_average`: random questions, judge and mistakes.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -13,19 +14,40 @@ fn tent(q: &PixelAverage, offset: Vec2) -> f32 {
     along.max(Vec2::ZERO).element_product()
 }
 
-/// Σ w L/Σ w, with weights of whoever calls.
-fn average(q: &PixelAverage, weight: impl Fn(&Seen) -> f32) -> Rgb {
-    let weights: f32 = q.samples.iter().map(&weight).sum();
-    if weights == 0.0 {
-        Rgb::BLACK
-    } else {
-        undivided(q, weight) / weights
-    }
+/// How samples are weighed, and by what their sum is divided: the sum of the weights, if it is right.
+#[derive(Clone, Copy)]
+struct How {
+    weight: Weight,
+    divisor: fn(&PixelAverage, f32) -> f32,
 }
 
-/// Σ w L, with weights of whoever calls.
-fn undivided(q: &PixelAverage, weight: impl Fn(&Seen) -> f32) -> Rgb {
-    q.samples.iter().map(|s| s.radiance * weight(s)).sum()
+/// A sample's weight.
+type Weight = fn(&PixelAverage, &Seen) -> f32;
+
+/// Σ w L/Σ w, but for what is changed.
+fn changed_average(q: &PixelAverage, change: impl FnOnce(&mut How)) -> Rgb {
+    let right = How {
+        weight: |q, s| tent(q, s.offset),
+        divisor: |_, weights| weights,
+    };
+    let How { weight, divisor } = changed(right, change);
+    let weights: f32 = q.samples.iter().map(|s| weight(q, s)).sum();
+    let divisor = divisor(q, weights);
+    if divisor == 0.0 {
+        return Rgb::BLACK;
+    }
+    let light: Rgb = q.samples.iter().map(|s| s.radiance * weight(q, s)).sum();
+    light / divisor
+}
+
+/// The same with other weights.
+fn average(q: &PixelAverage, weight: Weight) -> Rgb {
+    changed_average(q, |how| how.weight = weight)
+}
+
+/// The same, divided by something else.
+fn divided(q: &PixelAverage, divisor: fn(&PixelAverage, f32) -> f32) -> Rgb {
+    changed_average(q, |how| how.divisor = divisor)
 }
 
 /// A cone's weight.
@@ -61,46 +83,47 @@ impl Graded for PixelAverage {
         Mistake {
             name: "counts all samples alike",
             hint: "Does a sample at the filter's edge count as much as one in the pixel's centre?",
-            answer: |q| average(q, |_| 1.0),
+            answer: |q| average(q, |_, _| 1.0),
         },
         Mistake {
             name: "counts all samples alike that are within the radius",
             hint: "Does a sample at the filter's edge count as much as one in the pixel's centre?",
-            answer: |q| average(q, |s| f32::from(tent(q, s.offset) > 0.0)),
+            answer: |q| average(q, |q, s| f32::from(tent(q, s.offset) > 0.0)),
         },
         Mistake {
             name: "divides by the number of samples",
             hint: "All samples see the same white wall: what does your pixel show?",
-            answer: |q| undivided(q, |s| tent(q, s.offset)) / (q.samples.len() as f32).max(1.0),
+            answer: |q| divided(q, |q, _| q.samples.len() as f32),
         },
         Mistake {
             name: "does not divide by the sum of the weights",
             hint: "Take every sample twice: does the pixel become brighter?",
-            answer: |q| undivided(q, |s| tent(q, s.offset)),
+            answer: |q| divided(q, |_, _| 1.0),
         },
         Mistake {
             name: "lets the weights go below 0",
             hint: "What is the weight of a sample that is two radii away?",
-            answer: |q| average(q, |s| (1.0 - s.offset.abs() / q.radius).element_product()),
+            answer: |q| {
+                average(q, |q, s| {
+                    (1.0 - s.offset.abs() / q.radius).element_product()
+                })
+            },
         },
         Mistake {
             name: "lets the weights go below 0, and returns black where their sum does",
             hint: "What is the weight of a sample that is two radii away?",
             answer: |q| {
-                let weight = |s: &Seen| (1.0 - s.offset.abs() / q.radius).element_product();
-                let sum: f32 = q.samples.iter().map(weight).sum();
-                if sum > 0.0 {
-                    average(q, weight)
-                } else {
-                    Rgb::BLACK
-                }
+                changed_average(q, |how| {
+                    how.weight = |q, s| (1.0 - s.offset.abs() / q.radius).element_product();
+                    how.divisor = |_, weights| weights.max(0.0);
+                })
             },
         },
         Mistake {
             name: "takes the tent of |x| + |y| in the place of the product of two",
             hint: "Halfway to the edge along both x and y, how large is each of the two factors, and how large is w?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset.abs().element_sum() / q.radius).max(0.0)
                 })
             },
@@ -108,29 +131,28 @@ impl Graded for PixelAverage {
         Mistake {
             name: "makes a cone instead of a tent",
             hint: "The tent's edges are straight: what is its weight at a corner of its square, and half way to the corner?",
-            answer: |q| average(q, |s| cone(q, s.offset)),
+            answer: |q| average(q, |q, s| cone(q, s.offset)),
         },
         Mistake {
             name: "makes a cone instead of a tent, and does not divide by the sum of the weights",
             hint: "Take every sample twice: does the pixel become brighter? And how does a tent's edge differ from a cone's?",
-            answer: |q| undivided(q, |s| cone(q, s.offset)),
+            answer: |q| {
+                changed_average(q, |how| {
+                    how.weight = |q, s| cone(q, s.offset);
+                    how.divisor = |_, _| 1.0;
+                })
+            },
         },
         Mistake {
             name: "forgets the radius",
             hint: "How far from the centre does your weight fall to 0?",
-            answer: |q| {
-                let one = PixelAverage {
-                    radius: 1.0,
-                    ..q.clone()
-                };
-                average(q, |s| tent(&one, s.offset))
-            },
+            answer: |q| Self::misread(q, |q| q.radius = 1.0),
         },
         Mistake {
             name: "takes x for |x| and y for |y|, so that weights stay 1 on one side",
             hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset / q.radius)
                         .clamp(Vec2::ZERO, Vec2::ONE)
                         .element_product()
@@ -141,30 +163,24 @@ impl Graded for PixelAverage {
             name: "averages sRGB code values instead of radiance",
             hint: "Light adds up; do the numbers that go to a display? When is the picture encoded?",
             answer: |q| {
-                let encoded = PixelAverage {
-                    samples: q
-                        .samples
-                        .iter()
-                        .map(|s| Seen {
-                            radiance: s.radiance.map(tone::encode_srgb),
-                            ..s.clone()
-                        })
-                        .collect(),
-                    ..q.clone()
-                };
-                average(&encoded, |s| tent(q, s.offset)).map(tone::decode_srgb)
+                let encoded = Self::misread(q, |q| {
+                    for s in &mut q.samples {
+                        s.radiance = s.radiance.map(tone::encode_srgb);
+                    }
+                });
+                encoded.map(tone::decode_srgb)
             },
         },
         Mistake {
             name: "gives samples more weight the farther they are",
             hint: "Which sample tells most about the pixel: one in its middle, or one at the edge of the filter?",
-            answer: |q| average(q, |s| (s.offset.abs() / q.radius).element_product()),
+            answer: |q| average(q, |q, s| (s.offset.abs() / q.radius).element_product()),
         },
         Mistake {
             name: "adds the factors along x and along y instead of multiplying them",
             hint: "A sample that is too far away along x: what does it count for, whatever y is?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset.abs() / q.radius)
                         .max(Vec2::ZERO)
                         .element_sum()
@@ -175,7 +191,7 @@ impl Graded for PixelAverage {
             name: "takes x for |x| and y for |y|, so that weights grow above 1 on one side",
             hint: "Is a sample to the left of the centre worth as much as one equally far to its right?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset / q.radius)
                         .max(Vec2::ZERO)
                         .element_product()
@@ -185,31 +201,28 @@ impl Graded for PixelAverage {
         Mistake {
             name: "squares the weights",
             hint: "How much counts a sample half way to the edge: a half, or a quarter?",
-            answer: |q| average(q, |s| tent(q, s.offset).powi(2)),
+            answer: |q| average(q, |q, s| tent(q, s.offset).powi(2)),
         },
         Mistake {
             name: "weighs by x only",
             hint: "A sample far above the pixel: does it count?",
-            answer: |q| average(q, |s| (1.0 - s.offset.x.abs() / q.radius).max(0.0)),
+            answer: |q| average(q, |q, s| (1.0 - s.offset.x.abs() / q.radius).max(0.0)),
         },
         Mistake {
             name: "divides by the largest weight",
             hint: "All samples see the same white wall: what does your pixel show?",
             answer: |q| {
-                let most = q
-                    .samples
-                    .iter()
-                    .map(|s| tent(q, s.offset))
-                    .fold(0.0, f32::max);
-                let light = undivided(q, |s| tent(q, s.offset));
-                if most > 0.0 { light / most } else { Rgb::BLACK }
+                divided(q, |q, _| {
+                    let weights = q.samples.iter().map(|s| tent(q, s.offset));
+                    weights.fold(0.0, f32::max)
+                })
             },
         },
         Mistake {
             name: "takes the smaller of the factors along x and along y instead of multiplying them",
             hint: "Half way to the edge along x and along y: is the weight a half, or a quarter?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset.abs() / q.radius)
                         .max(Vec2::ZERO)
                         .min_element()
@@ -253,7 +266,7 @@ impl Graded for PixelAverage {
             name: "takes the larger of the factors along x and along y instead of multiplying them",
             hint: "A sample that is too far away along x: what does it count for, whatever y is?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     (1.0 - s.offset.abs() / q.radius)
                         .max(Vec2::ZERO)
                         .max_element()
@@ -264,7 +277,7 @@ impl Graded for PixelAverage {
             name: "squares the shares of the radius, so that the tent's sides are round",
             hint: "Half way to the edge the weight is a half: what is yours?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     let along = s.offset / q.radius;
                     (1.0 - along * along).max(Vec2::ZERO).element_product()
                 })
@@ -283,7 +296,7 @@ impl Graded for PixelAverage {
             name: "keeps the product from falling below 0, but not each factor",
             hint: "A sample that is too far away along x and along y: what is the product of two negative factors?",
             answer: |q| {
-                average(q, |s| {
+                average(q, |q, s| {
                     let factors = 1.0 - s.offset.abs() / q.radius;
                     factors.element_product().max(0.0)
                 })

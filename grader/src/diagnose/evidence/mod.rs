@@ -381,6 +381,11 @@ impl<'a> Evidence<'a> {
         wrong.iter().all(is_first)
     }
 
+    /// How much the wrong answers tell together.
+    pub fn tells_in_all(&self) -> f64 {
+        self.items[..self.wrong].iter().map(|item| item.tells).sum()
+    }
+
     /// Whether the wrong answers tell more than yes or no.
     pub fn tells_much(&self) -> bool {
         self.items

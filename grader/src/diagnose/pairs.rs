@@ -199,11 +199,26 @@ pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 continue;
             };
             let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
-            let (name, hint) = told(second);
+            // The one that shows in more answers comes first.
+            let shows = |mistake: usize| {
+                let right = |k: &usize| evidence.items[*k].golden();
+                let shows = |k: &usize| {
+                    evidence
+                        .mistaken(mistake, *k)
+                        .is_some_and(|v| v != right(k))
+                };
+                (0..evidence.wrong).filter(shows).count()
+            };
+            let (name, then) = if shows(first) > shows(second) {
+                (told(first), told(second))
+            } else {
+                (told(second), told(first))
+            };
+            let (name, hint) = name;
             found.push(Found {
                 name,
                 hint,
-                then: Some(told(first)),
+                then: Some(then),
                 rival: None,
                 rank: 42,
                 fitted: 0,

@@ -2,7 +2,7 @@
 
 use super::lanes::Lanes;
 use super::nearest::{Nearest, Seeker};
-use super::node::{CHILDREN, Link, Node};
+use super::node::{CHILDREN, Leaf, Link, Node};
 use super::stack::{PLACES, Places, Waiting};
 use super::tree::Tree;
 use crate::accel::Count;
@@ -113,6 +113,8 @@ fn deeper<L: Lanes>(
 }
 
 /// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.
+///
+/// A leaf is asked for and put aside until the next one is met: meanwhile it comes from memory.
 #[inline(always)]
 pub(super) fn any<L: Lanes>(
     lanes: L,
@@ -122,9 +124,12 @@ pub(super) fn any<L: Lanes>(
     max: f32,
 ) -> bool {
     let (mut stack, mut height) = ([link; PLACES], 0);
+    let mut aside: Option<&Leaf> = None;
+    let is_hit = |leaf: &Leaf| seeker.test_any(lanes, tree, leaf, max);
     loop {
         if let Some(leaf) = link.as_leaf() {
-            if seeker.test_any(lanes, tree, &tree.leaves[leaf], max) {
+            lanes.fetch_next(tree, link);
+            if aside.replace(&tree.leaves[leaf]).is_some_and(is_hit) {
                 return true;
             }
         } else {
@@ -150,7 +155,7 @@ pub(super) fn any<L: Lanes>(
             }
         }
         if height == 0 {
-            return false;
+            return aside.is_some_and(is_hit);
         }
         height -= 1;
         link = stack[height];

@@ -202,20 +202,27 @@ fn two_mistakes_in_one_distribution_are_told_by_what_they_have_in_common_with_th
     assert_eq!(both_of(&found), both);
 }
 
+/// The deflection in degrees, but none of rays that pass at less than a limit.
+fn in_degrees(q: &[f64], limit: f64) -> Vec<f64> {
+    if q[0] < limit {
+        return vec![0.0];
+    }
+    let answer = right("deflection_angle", q);
+    let degrees = answer[1..].iter().map(|v| v.to_degrees());
+    answer[..1].iter().copied().chain(degrees).collect()
+}
+
+#[test]
+fn a_branch_that_begins_too_late_and_a_unit_are_told_together() {
+    let found = diagnosed("deflection_angle", |q| Some(in_degrees(q, 3.0)));
+    let both = ["lets rays fall in up to b = 3", "returns degrees"];
+    assert_eq!(both_of(&found), both);
+}
+
 #[test]
 fn a_mistake_that_would_spoil_the_answers_of_another_is_not_certain() {
-    let found = diagnosed("deflection_angle", |q| {
-        let swallowed = vec![0.0];
-        let mut answer = if q[0] < 3.0 {
-            swallowed
-        } else {
-            right("deflection_angle", q)
-        };
-        for angle in &mut answer[1..] {
-            *angle = angle.to_degrees();
-        }
-        Some(answer)
-    });
+    // Between 4 and 5.2, who takes 1 for the hole's mass answers none.
+    let found = diagnosed("deflection_angle", |q| Some(in_degrees(q, 4.0)));
     assert_eq!(found.name, "returns degrees");
     assert!(found.also.iter().all(|also| !also.certain), "{found:?}");
 }

@@ -367,5 +367,17 @@ impl Graded for SahSplit {
                 })
             },
         },
+        Mistake {
+            name: "takes the area of the box around all boxes for the right side",
+            hint: "A cut leaves a few small boxes on the right: how large is the box around only these?",
+            answer: |q| {
+                let all: Vec<_> = (0..q.boxes.len() as u32).collect();
+                let whole = around(&q.boxes, &all);
+                cut_with(q, |_, [left, right]| {
+                    let left = sah(&around(&q.boxes, left), left.len() as f32);
+                    left + sah(&whole, right.len() as f32)
+                })
+            },
+        },
     ];
 }

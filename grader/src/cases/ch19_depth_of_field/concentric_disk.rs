@@ -304,13 +304,17 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
-            name: "fills only half of the disc",
+            name: "takes the absolute value for the radius, and fills only half of the disc",
             hint: "On the left and below, what does a negative radius do, or what must the angle do?",
             answer: |q| {
                 q.mapped(|u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let (r, phi) = by_sides(a, b);
-                    r.abs() * Vec2::from_angle(phi)
+                    if r == 0.0 {
+                        Vec2::ZERO
+                    } else {
+                        r.abs() * Vec2::from_angle(phi)
+                    }
                 })
             },
         },
@@ -380,15 +384,23 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "does not bring back into the square what the shift moves out of it",
             hint: "The points are fractional parts: what becomes of a coordinate above 1?",
-            answer: |q| {
-                let lattice = ConcentricDisk {
-                    shift: Vec2::ZERO,
-                    ..q.clone()
-                };
-                let moved = |u: Vec2| concentric_disk(vec2(u.x + q.shift.x, u.y));
-                let rows = lattice.points().zip(q.points());
-                rows.map(|(u, right)| moved(vec2(u.x, right.y))).collect()
-            },
+            answer: |q| shifted(q, |x| x),
+        },
+        Mistake {
+            name: "clamps to the square what the shift moves out of it",
+            hint: "Many of your points are at the edge of the square: on which side does a point come in that leaves it on the right?",
+            answer: |q| shifted(q, |x| x.clamp(0.0, 1.0)),
         },
     ];
+}
+
+/// The points with x where some rule puts it after the shift.
+fn shifted(q: &ConcentricDisk, place: fn(f32) -> f32) -> Vec<Vec2> {
+    let lattice = ConcentricDisk {
+        shift: Vec2::ZERO,
+        ..q.clone()
+    };
+    let rows = lattice.points().zip(q.points());
+    rows.map(|(u, right)| concentric_disk(vec2(place(u.x + q.shift.x), right.y)))
+        .collect()
 }

@@ -330,11 +330,6 @@ impl Graded for ShadowRay {
             answer: |q| ending(q, 0.9995 * q.distance),
         },
         Mistake {
-            name: "ends the interval at 99 % of the light's distance from the point, whatever the error",
-            hint: "Your ray begins off the point by some errors: may that be more than one percent of the way?",
-            answer: |q| ending(q, 0.99 * q.distance),
-        },
-        Mistake {
             name: "chooses the side of the surface by whether the light is above the horizon",
             hint: "A ceiling faces down: on which side of it is a lamp that stands in the room?",
             answer: |q| {

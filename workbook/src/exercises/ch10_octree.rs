@@ -10,7 +10,8 @@ use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray};
 
 exercises! { ($) ch10_octree
     /// Return the number of the child in which a point of a cell lies: 4·z + 2·y + x, where x is 1 in the upper half
-    /// along x and 0 in the lower half, and y and z likewise. The middle plane belongs to the upper half.
+    /// along x and 0 in the lower half, and y and z likewise. The middle plane belongs to the upper half. The sides of
+    /// the cell may have different lengths.
     OctreeChild: octree_child(
         /// The cell's least corner, in metres.
         min: Vec3,

@@ -108,6 +108,18 @@ impl Graded for EncodeSrgb {
             hint: "Try v = 1 and v = 0.5 with both curves: in which of them is the power of v alone?",
             answer: |q| above_the_straight_piece(q, |v| ((v + 0.055) / 1.055).powf(1.0 / 2.4)),
         },
+        Mistake {
+            name: "compares the code value with the threshold, and not v",
+            hint: "The threshold is a linear value: which of the two numbers of your comparison is one?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if 12.92 * v <= 0.003_130_8 {
+                    12.92 * v
+                } else {
+                    1.055 * v.powf(1.0 / 2.4) - 0.055
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -104,6 +104,16 @@ impl Graded for ToneMap {
                 }
             },
         },
+        Mistake {
+            name: "uses Reinhard's formula with a white point of 4",
+            hint: "A luminance L becomes L/(1 + L): where does another constant in your formula come from?",
+            answer: |q| to_white(q, 4.0),
+        },
+        Mistake {
+            name: "uses Reinhard's formula with a white point of 2",
+            hint: "A luminance L becomes L/(1 + L): where does another constant in your formula come from?",
+            answer: |q| to_white(q, 2.0),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -123,4 +133,10 @@ impl Graded for ToneMap {
         },
         colour: |_, mapped| *mapped,
     }];
+}
+
+/// Reinhard's other formula, which makes 1 of the luminance `white`: L (1 + L/white²)/(1 + L).
+fn to_white(q: &ToneMap, white: f32) -> Rgb {
+    let l = q.radiance.luminance();
+    q.radiance * ((1.0 + l / (white * white)) / (1.0 + l))
 }

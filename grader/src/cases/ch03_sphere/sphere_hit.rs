@@ -265,6 +265,28 @@ impl Graded for SphereHit {
                 pick(q, |near, far| Some(if is_inside { far } else { near }))
             },
         },
+        Mistake {
+            name: "compares the far root with min only, and not with max",
+            hint: "The interval may lie inside the sphere as a whole: is the far root before its end?",
+            answer: |q| {
+                let roots = both(q)?;
+                if roots.x > q.within.min {
+                    Some(roots.x).filter(|t| *t < q.within.max)
+                } else {
+                    Some(roots.y).filter(|t| *t > q.within.min)
+                }
+            },
+        },
+        Mistake {
+            name: "returns that of two roots in the interval whose absolute value is the smaller one",
+            hint: "The interval may begin behind the origin: which is the smaller of −4 and −2?",
+            answer: |q| {
+                let roots = both(q)?.to_array().into_iter();
+                roots
+                    .filter(|t| q.within.contains(*t))
+                    .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -59,5 +59,13 @@ impl Graded for SphereNormal {
             hint: "How long is p − c, and how long is p? By which length must p − c be divided to get the length 1?",
             answer: |q| (q.p - q.center) / q.p.length(),
         },
+        Mistake {
+            name: "turns the normal away from the world's origin",
+            hint: "Move the sphere, and not the world's origin: from which point does a sphere's normal point away?",
+            answer: |q| {
+                let n = Self::right(q);
+                if n.dot(q.p) < 0.0 { -n } else { n }
+            },
+        },
     ];
 }

@@ -180,6 +180,19 @@ impl Graded for BoxClip {
                 finish(min, max)
             },
         },
+        Mistake {
+            name: "asks whether the interval overlaps the box, but does not cut the answer to the interval",
+            hint: "You are asked for a part of the interval: may your answer begin before min, or end behind max?",
+            answer: |q| {
+                let whole = Self::misread(q, |q| q.within = sample::LINE);
+                whole.filter(|part| part.max >= q.within.min && part.min <= q.within.max)
+            },
+        },
+        Mistake {
+            name: "keeps the entry and the exit of the last axis only",
+            hint: "The ray is inside the box once it has entered all three slabs: do you keep the latest entry, or the last one that you calculate?",
+            answer: of_last_axis,
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -252,4 +265,24 @@ fn slabs(
 
 fn finish(min: f32, max: f32) -> Option<Interval> {
     (max - min >= 0.0).then_some(Interval { min, max })
+}
+
+/// The part in the last slab, where the part in each slab overlaps the one before.
+fn of_last_axis(q: &BoxClip) -> Option<Interval> {
+    let mut last = (q.within.min, q.within.max);
+    for axis in 0..3 {
+        let o = q.ray.origin[axis];
+        if q.ray.direction[axis] == 0.0 {
+            if !(q.min[axis]..=q.max[axis]).contains(&o) {
+                return None;
+            }
+            continue;
+        }
+        let (near, far) = slab(q, axis);
+        if far < last.0 || near > last.1 {
+            return None;
+        }
+        last = (near, far);
+    }
+    finish(last.0.max(q.within.min), last.1.min(q.within.max))
 }

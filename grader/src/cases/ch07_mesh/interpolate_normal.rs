@@ -69,6 +69,19 @@ impl Graded for InterpolateNormal {
             hint: "Move the point a little: does the normal turn a little, or does it jump?",
             answer: |q| [*q.n0, *q.n1, *q.n2][nearest_corner(q.b)],
         },
+        Mistake {
+            name: "blends the first two normals by b1, and the result with the third by b2",
+            hint: "At b1 = b2 = ½ the point lies half way between the second corner and the third: which weights have your three normals there?",
+            answer: |q| {
+                let rest = 1.0 - q.b.y;
+                mix(q, rest * (1.0 - q.b.x), rest * q.b.x, q.b.y).normalize_or_zero()
+            },
+        },
+        Mistake {
+            name: "takes (1 − b1)(1 − b2) for the first corner's weight, as on a square",
+            hint: "On the side opposite to the first corner b1 + b2 is 1: which weight should the first corner have there?",
+            answer: |q| mix(q, (1.0 - q.b.x) * (1.0 - q.b.y), q.b.x, q.b.y).normalize_or_zero(),
+        },
     ];
 }
 

@@ -196,6 +196,15 @@ impl Graded for MeshHit {
                 fronts.min_by(|a, b| a.t.total_cmp(&b.t))
             },
         },
+        Mistake {
+            name: "takes the triangles in the order of their first corners' distances, and returns the first that is hit",
+            hint: "A large triangle may have its first corner far away: how near may its nearest point be?",
+            answer: |q| {
+                let first = |hit: &MeshHitAnswer| q.triangles[hit.id as usize].p0;
+                let far = |hit: &MeshHitAnswer| first(hit).distance(q.ray.origin);
+                hits(q).min_by(|a, b| far(a).total_cmp(&far(b)))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -273,6 +273,22 @@ impl Graded for VertexNormals {
                     .collect()
             },
         },
+        Mistake {
+            name: "returns 0 0 0 where the normals of a vertex's triangles cancel out",
+            hint: "A normal has length 1, always: what does the task say of a sum that has no direction?",
+            answer: |q| {
+                let counts = sums(q, |_, _| Vec3::ONE);
+                let all = sums(q, Vec3::cross).into_iter().zip(counts);
+                all.map(|(sum, count)| {
+                    if count == Vec3::ZERO {
+                        Vec3::Y
+                    } else {
+                        sum.normalize_or_zero()
+                    }
+                })
+                .collect()
+            },
+        },
     ];
 }
 

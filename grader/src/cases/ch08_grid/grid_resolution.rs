@@ -211,6 +211,11 @@ impl Graded for GridResolution {
                 whole(along(q, thick) * thick)
             },
         },
+        Mistake {
+            name: "cuts every axis into ∛(λN) cells, but for an axis of extent 0",
+            hint: "Should a long side be cut into as many pieces as a short one?",
+            answer: |q| whole(extended(q) * cells(q).cbrt()),
+        },
     ];
 }
 

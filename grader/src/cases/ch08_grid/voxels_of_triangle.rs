@@ -4,7 +4,7 @@ use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::{self, range, triangle_meets_box};
-use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, slab};
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
 impl Graded for VoxelsOfTriangle {
@@ -270,6 +270,21 @@ impl Graded for VoxelsOfTriangle {
                     ..q.clone()
                 };
                 kept(&without, |bounds, corners| plane_cuts(&bounds, corners))
+            },
+        },
+        Mistake {
+            name: "takes only the cells through which an edge of the triangle passes",
+            hint: "A triangle may be much larger than a cell: which cells are in its middle?",
+            answer: |q| {
+                of_lattice(q, |bounds, corners| {
+                    let bounds = bounds.grown(q.margin);
+                    [0, 1, 2].into_iter().any(|i| {
+                        let (from, to) = (corners[i], corners[(i + 1) % 3]);
+                        let edge = sample::ray(from, to - from);
+                        let length = Interval::new(0.0, from.distance(to));
+                        slab::clip(&bounds, &edge, length).is_some()
+                    })
+                })
             },
         },
     ];

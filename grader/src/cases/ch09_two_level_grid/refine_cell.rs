@@ -296,22 +296,22 @@ impl Graded for RefineCell {
         Mistake {
             name: "leaves out the last cell that a shape reaches, along each axis",
             hint: "A shape within one cell: how often does your loop go round?",
-            answer: |q| without_last(q, [true; 3]),
+            answer: |q| without_last(q, [true; 3], Last::Always),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along x",
             hint: "A shape within one cell: how often does your loop over x go round?",
-            answer: |q| without_last(q, [true, false, false]),
+            answer: |q| without_last(q, [true, false, false], Last::Always),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along y",
             hint: "A shape within one cell: how often does your loop over y go round?",
-            answer: |q| without_last(q, [false, true, false]),
+            answer: |q| without_last(q, [false, true, false], Last::Always),
         },
         Mistake {
             name: "leaves out the last cell that a shape reaches, along z",
             hint: "A shape within one cell: how often does your loop over z go round?",
-            answer: |q| without_last(q, [false, false, true]),
+            answer: |q| without_last(q, [false, false, true], Last::Always),
         },
         Mistake {
             name: "allows 256 cells along an axis",
@@ -372,6 +372,11 @@ impl Graded for RefineCell {
             hint: "A shape lies in two coarse cells: which of them names it?",
             answer: |q| without_shapes(q, |shape| shape.max.cmpgt(q.max).any()),
         },
+        Mistake {
+            name: "leaves out the last cell that a shape reaches along each axis, unless it is the only one",
+            hint: "A shape reaches from cell 1 to cell 3: how often does your loop go round?",
+            answer: |q| without_last(q, [true; 3], Last::UnlessAlone),
+        },
     ];
 }
 
@@ -426,20 +431,33 @@ fn depth(fine: &Lattice, cell: UVec3, shape: &Corners) -> f32 {
     (shape.max.min(max) - shape.min.max(min)).min_element()
 }
 
+/// When the last cell that a shape reaches along an axis is left out.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Last {
+    /// Even if the shape reaches no other.
+    Always,
+    /// Only if the shape reaches another.
+    UnlessAlone,
+}
+
 /// The answer without the last cell that each shape reaches along some axes.
-fn without_last(q: &RefineCell, axes: [bool; 3]) -> RefineCellAnswer {
+fn without_last(q: &RefineCell, axes: [bool; 3], when: Last) -> RefineCellAnswer {
     let mut answer = RefineCell::right(q);
     let at = |entry: &Entry| [entry.x, entry.y, entry.z];
-    let mut last = vec![[0; 3]; q.shapes.len()];
+    let mut reached = vec![[[u32::MAX, 0]; 3]; q.shapes.len()];
     for entry in &answer.entries {
-        let last = &mut last[entry.shape as usize];
-        for (last, at) in last.iter_mut().zip(at(entry)) {
-            *last = at.max(*last);
+        let reached = &mut reached[entry.shape as usize];
+        for ([first, last], at) in reached.iter_mut().zip(at(entry)) {
+            (*first, *last) = (at.min(*first), at.max(*last));
         }
     }
     answer.entries.retain(|entry| {
-        let last = last[entry.shape as usize];
-        (0..3).all(|axis| !axes[axis] || at(entry)[axis] < last[axis])
+        let reached = reached[entry.shape as usize];
+        (0..3).all(|axis| {
+            let [first, last] = reached[axis];
+            let is_spared = when == Last::UnlessAlone && first == last;
+            !axes[axis] || is_spared || at(entry)[axis] < last
+        })
     });
     answer
 }

@@ -381,10 +381,7 @@ fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u
         let at = place - cut.first;
         cut.first + number(q, [at % n[0], at / n[0] % n[1], at / n[0] / n[1]], n)
     };
-    TwoLevelWalk::right(q)
-        .into_iter()
-        .map(renumbered)
-        .collect()
+    TwoLevelWalk::right(q).into_iter().map(renumbered).collect()
 }
 
 /// The walk with another number of fine cells before those of a coarse cell, from the resolutions of the coarse cells up to this one.

@@ -1,6 +1,6 @@
 //! `octree_build`: random questions, judge and mistakes.
 
-use super::octree_tree::{cost, leaves, shared, wrong_choice};
+use super::octree_tree::{cost, inner, leaf, leaves, shared, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use glam::Vec3;
 use rand::RngExt;
@@ -491,5 +491,49 @@ impl Graded for OctreeBuild {
                 )
             },
         },
+        Mistake {
+            name: "applies the limit on copies to each cell afresh, whatever the cuts above it have used",
+            hint: "The root's cut makes as many copies as the limit allows: how many are left for the children?",
+            answer: |q| {
+                let mut tree = TreeRow {
+                    nodes: vec![leaf(0, 0)],
+                    names: Vec::new(),
+                };
+                let root = Aabb::new(q.min, q.max);
+                let all = (0..q.shapes.len() as u32).collect();
+                fill(q, &mut tree, 0, &root, all, q.depth);
+                tree
+            },
+        },
     ];
+}
+
+/// Builds what is below a node: a cell may make `copies` names of each of its shapes, whatever the cells around it have made.
+fn fill(
+    q: &OctreeBuild,
+    tree: &mut TreeRow,
+    node: usize,
+    cell: &Aabb,
+    shapes: Vec<u32>,
+    depth: u32,
+) {
+    let cells: [Aabb; 8] = std::array::from_fn(|i| child_cell(cell, i));
+    let is_in = |shape: u32, i: usize| reached(&q.shapes[shape as usize], &cells) >> i & 1 == 1;
+    let parts: [Vec<u32>; 8] = std::array::from_fn(|i| {
+        let inside = shapes.iter().copied();
+        inside.filter(|&shape| is_in(shape, i)).collect()
+    });
+    let before = shapes.len() as f32;
+    let after = parts.iter().map(Vec::len).sum::<usize>() as f32;
+    if depth == 0 || q.opening + 0.25 * after >= before || after > q.copies * before {
+        tree.nodes[node] = leaf(tree.names.len() as u32, shapes.len() as u32);
+        tree.names.extend(shapes);
+        return;
+    }
+    let first = tree.nodes.len();
+    tree.nodes[node] = inner(first as u32);
+    tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
+    for (i, part) in parts.into_iter().enumerate() {
+        fill(q, tree, first + i, &cells[i], part, depth - 1);
+    }
 }

@@ -1,14 +1,19 @@
 //! `octree_child`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, sample};
-use glam::Vec3;
+use glam::{Vec3, vec3};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch10_octree::OctreeChild;
 
 impl Graded for OctreeChild {
     fn random(rng: &mut Pcg) -> OctreeChild {
         let min = sample::point(rng, 4.0);
-        let size = Vec3::splat(sample::number(rng, 0.5, 4.0));
+        // No cube, so that no side stands for another.
+        let size = vec3(
+            sample::number(rng, 0.5, 4.0),
+            sample::number(rng, 0.5, 4.0),
+            sample::number(rng, 0.5, 4.0),
+        );
         let inside = sample::point(rng, 0.5) + 0.5;
         OctreeChild {
             min,
@@ -18,7 +23,7 @@ impl Graded for OctreeChild {
     }
 
     fn is_sound(q: &OctreeChild) -> bool {
-        sample::is_cube(q.min, q.max) && q.p.clamp(q.min, q.max) == q.p
+        sample::is_box(q.min, q.max) && q.p.clamp(q.min, q.max) == q.p
     }
 
     fn judge(_q: &OctreeChild, golden: &u32, got: &u32) -> Verdict {
@@ -144,6 +149,11 @@ impl Graded for OctreeChild {
             name: "puts a point on the middle plane of z into the lower half, and is right along the other axes",
             hint: "Your three comparisons should be alike: which of them differs, > or >=?",
             answer: |q| middle_is_below(q, 4),
+        },
+        Mistake {
+            name: "takes the cell for a cube: half of its extent along x is half of the others too",
+            hint: "A cell reaches from y = 0 to y = 4: at which y is its middle, if the cell is 2 long along x?",
+            answer: |q| bits(q.p.cmpge(q.min + 0.5 * (q.max.x - q.min.x))),
         },
     ];
 }

@@ -141,3 +141,21 @@ pub(super) fn cost(q: &OctreeBuild, tree: &TreeRow) -> f32 {
     }
     cost
 }
+
+/// A leaf's row.
+pub(super) fn leaf(first: u32, count: u32) -> NodeRow {
+    NodeRow {
+        inner: 0,
+        first,
+        count,
+    }
+}
+
+/// The row of a node with children.
+pub(super) fn inner(first: u32) -> NodeRow {
+    NodeRow {
+        inner: 1,
+        first,
+        count: 0,
+    }
+}

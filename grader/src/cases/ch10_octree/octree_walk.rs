@@ -1,10 +1,12 @@
 //! `octree_walk`: random questions, judge and mistakes.
 
+use super::octree_tree::{inner, leaf};
 use crate::{
     Flaw, Graded, Mistake, Verdict,
     passage::{self, passage},
     sample,
 };
+use glam::Vec3;
 use rand::RngExt;
 use raybook::inside::octree::{Kind, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
@@ -347,23 +349,29 @@ impl Graded for OctreeWalk {
                 all.filter(|leaf| !is_around(leaf)).collect()
             },
         },
+        Mistake {
+            name: "sorts the leaves by the distances of their middles from the ray's origin",
+            hint: "A ray begins near the edge of a large leaf: how far is it to the middle of this leaf, and to that of a small one beside it?",
+            answer: |q| {
+                let cells = cells(q).0;
+                let middle = |leaf: u32| cells[leaf as usize].center();
+                let far = |leaf: u32| middle(leaf).distance(q.ray.origin);
+                let mut leaves = Self::right(q);
+                leaves.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
+                leaves
+            },
+        },
+        Mistake {
+            name: "takes the order of the children from the direction's largest component only",
+            hint: "A ray may move down along two axes: which bits of a child's number do you turn?",
+            answer: |q| {
+                ordered(q, |d| {
+                    let axis = Vec3::from(d).abs().max_position();
+                    u32::from(d[axis] < 0.0) << axis
+                })
+            },
+        },
     ];
-}
-
-fn leaf(first: u32, count: u32) -> NodeRow {
-    NodeRow {
-        inner: 0,
-        first,
-        count,
-    }
-}
-
-fn inner(first: u32) -> NodeRow {
-    NodeRow {
-        inner: 1,
-        first,
-        count: 0,
-    }
 }
 
 /// The right leaves in the order of a walk that turns other bits of the children's numbers.

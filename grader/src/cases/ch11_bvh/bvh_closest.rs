@@ -250,6 +250,18 @@ impl Graded for BvhClosest {
                 })
             },
         },
+        Mistake {
+            name: "returns the number of the leaf's node",
+            hint: "A leaf of two triangles, of which the second is hit: which number tells the two apart?",
+            answer: |q| {
+                let mut answer = Self::right(q);
+                if let Some(hit) = &mut answer.hit {
+                    let leaf = leaf_with(q, hit.id);
+                    hit.id = leaf.map_or(hit.id, |leaf| leaf as u32);
+                }
+                answer
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -306,8 +318,13 @@ fn tests_without_hit(most: u32, got: u32) -> Verdict {
 
 /// The leaf that holds a triangle.
 fn leaf_of(q: &BvhClosest, triangle: u32) -> Option<&NodeRow> {
-    let holds = |node: &&NodeRow| (node.first..node.first + node.count).contains(&triangle);
-    q.nodes.iter().find(holds)
+    leaf_with(q, triangle).map(|leaf| &q.nodes[leaf])
+}
+
+/// The number of the leaf that holds a triangle.
+fn leaf_with(q: &BvhClosest, triangle: u32) -> Option<usize> {
+    let holds = |node: &NodeRow| (node.first..node.first + node.count).contains(&triangle);
+    q.nodes.iter().position(holds)
 }
 
 /// The right search, with other counts of boxes and of tests.

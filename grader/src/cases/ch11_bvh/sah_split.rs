@@ -415,5 +415,15 @@ impl Graded for SahSplit {
                 })
             },
         },
+        Mistake {
+            name: "takes the area of the box around all boxes for the right side",
+            hint: "A cut leaves a few small boxes on the right: how large is the box around only these?",
+            answer: |q| {
+                cut_with(q, |q, side, _, [left, right]| {
+                    let (all, _) = whole(q, &[&left[..], right].concat());
+                    side(q, left) + sah(&all, right.len() as f32)
+                })
+            },
+        },
     ];
 }

@@ -168,6 +168,14 @@ impl Graded for Refract {
                 Some(-along - (1.0 - along.length_squared()).sqrt() * n)
             },
         },
+        Mistake {
+            name: "takes the incoming ray's cosine for the refracted ray's, and normalises",
+            hint: "When your ray is brought to length 1, its sine is divided by that length: is it still n₁/n₂ times the sine of the incoming ray?",
+            answer: |q| {
+                let n = facing(q);
+                Some((along(q)? + q.direction.dot(n) * n).normalize_or_zero())
+            },
+        },
     ];
 }
 

@@ -300,5 +300,26 @@ impl Graded for Lit {
                 u32::from(!blocked(&back, &q.spheres, way.within))
             },
         },
+        Mistake {
+            name: "leaves out a sphere whose middle is behind the start of the way",
+            hint: "The way may begin inside of a sphere: does it leave that sphere although the middle is behind?",
+            answer: |q| {
+                let way = shadow(q);
+                let is_ahead = |ball: &Ball| (ball.center - way.origin).dot(way.direction) >= 0.0;
+                Self::misread(q, |q| q.spheres.retain(is_ahead))
+            },
+        },
+        Mistake {
+            name: "moves the start along the way, not along the normal",
+            hint: "A lamp just above the horizon: how far above the surface does your way to it start?",
+            answer: |q| {
+                let moved = Lit {
+                    position: q.position + 2.0 * q.error * *q.toward,
+                    ..q.clone()
+                };
+                let end = shadow(q).within.max;
+                u32::from(!blocked(&moved, &q.spheres, Interval::new(0.0, end)))
+            },
+        },
     ];
 }

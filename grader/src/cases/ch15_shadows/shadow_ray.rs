@@ -76,9 +76,21 @@ impl Graded for ShadowRay {
         };
         let right = ShadowRay::answer(&asked);
         let starts = starts_off(&asked, &got).is_ok();
+        let mirrored = Way {
+            origin: 2.0 * q.position - got.origin,
+            ..got.clone()
+        };
+        // On the wrong side the step is everybody's own choice too.
+        let is_mirrored = !starts && starts_off(&asked, &mirrored).is_ok();
         let ends = ends_before(&asked, &got).is_ok();
         Way {
-            origin: if starts { right.origin } else { got.origin },
+            origin: if starts {
+                right.origin
+            } else if is_mirrored {
+                2.0 * q.position - right.origin
+            } else {
+                got.origin
+            },
             direction: if is_aimed {
                 right.direction
             } else {
@@ -310,6 +322,20 @@ impl Graded for ShadowRay {
                         q.toward = -q.toward;
                     }
                 })
+            },
+        },
+        Mistake {
+            name: "ends the interval at the light's distance from the point, or at a share just below, as if the ray began there",
+            hint: "Your ray begins off the point: how far is the light from where it begins?",
+            answer: |q| ending(q, 0.9995 * q.distance),
+        },
+        Mistake {
+            name: "chooses the side of the surface by whether the light is above the horizon",
+            hint: "A ceiling faces down: on which side of it is a lamp that stands in the room?",
+            answer: |q| {
+                let step = q.error * q.normal.abs().element_sum();
+                let side = 1.0_f32.copysign(q.toward.y);
+                starting(q, q.position + side * step * *q.normal, 0.0)
             },
         },
     ];

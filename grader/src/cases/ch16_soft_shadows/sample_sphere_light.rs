@@ -409,6 +409,18 @@ impl Graded for SampleSphereLight {
             hint: "From outside, a ball fills only a cone: how large is the angle from its axis at most?",
             answer: |q| wide(q, 1.0),
         },
+        Mistake {
+            name: "returns the distance of the ray's point that is nearest to the centre",
+            hint: "There the ray is deep inside the light: how far before that point does the ray enter it?",
+            answer: |q| {
+                let mut all = Self::right(q);
+                let is_outside = q.at.distance(q.center) > q.radius;
+                for chosen in all.iter_mut().filter(|_| is_outside) {
+                    chosen.distance = (q.center - q.at).dot(chosen.toward);
+                }
+                all
+            },
+        },
     ];
 }
 

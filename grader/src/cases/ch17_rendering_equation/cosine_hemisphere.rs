@@ -353,5 +353,23 @@ impl Graded for CosineHemisphere {
                 lattice(q.n).map(|u| beside(warp(u))).collect()
             },
         },
+        Mistake {
+            name: "takes cross products for the axes beside the normal without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| {
+                let up = if q.normal.y.abs() < 0.9 {
+                    Vec3::Y
+                } else {
+                    Vec3::X
+                };
+                let x = up.cross(*q.normal);
+                let y = q.normal.cross(x);
+                let turned = |u: Vec2| {
+                    let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
+                    (d.x * x + d.y * y + d.z * *q.normal).normalize_or_zero()
+                };
+                lattice(q.n).map(turned).collect()
+            },
+        },
     ];
 }

@@ -433,5 +433,14 @@ impl Graded for ReflectedRadiance {
                 })
             },
         },
+        Mistake {
+            name: "keeps the cosine of the sky's angle from falling below 0",
+            hint: "Opposite to the zenith cos γ is −1: how bright is the sky there?",
+            answer: |q| {
+                under(q, |q, d| {
+                    q.radiance * (0.5 + 0.5 * d.dot(*q.zenith).max(0.0))
+                })
+            },
+        },
     ];
 }

@@ -316,13 +316,17 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
-            name: "fills only half of the disc",
+            name: "takes the absolute value for the radius, and fills only half of the disc",
             hint: "On the left and below, what does a negative radius do, or what must the angle do?",
             answer: |q| {
                 mapped(q, |u| {
                     let (a, b) = (2.0 * u - 1.0).into();
                     let (r, phi) = by_sides(a, b);
-                    r.abs() * Vec2::from_angle(phi)
+                    if r == 0.0 {
+                        Vec2::ZERO
+                    } else {
+                        r.abs() * Vec2::from_angle(phi)
+                    }
                 })
             },
         },
@@ -392,19 +396,23 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "does not bring back into the square what the shift moves out of it",
             hint: "The points are fractional parts: what becomes of a coordinate above 1?",
-            answer: |q| {
-                in_disc(q, |how| {
-                    how.points = |q| {
-                        let lattice = ConcentricDisk {
-                            shift: Vec2::ZERO,
-                            ..q.clone()
-                        };
-                        let rows = lattice.points().zip(q.points());
-                        let moved = |(u, right): (Vec2, Vec2)| vec2(u.x + q.shift.x, right.y);
-                        rows.map(moved).collect()
-                    }
-                })
-            },
+            answer: |q| in_disc(q, |how| how.points = |q| shifted(q, |x| x)),
+        },
+        Mistake {
+            name: "clamps to the square what the shift moves out of it",
+            hint: "Many of your points are at the edge of the square: on which side does a point come in that leaves it on the right?",
+            answer: |q| in_disc(q, |how| how.points = |q| shifted(q, |x| x.clamp(0.0, 1.0))),
         },
     ];
+}
+
+/// The points of the square with x where some rule puts it after the shift.
+fn shifted(q: &ConcentricDisk, place: fn(f32) -> f32) -> Vec<Vec2> {
+    let lattice = ConcentricDisk {
+        shift: Vec2::ZERO,
+        ..q.clone()
+    };
+    let rows = lattice.points().zip(q.points());
+    rows.map(|(u, right)| vec2(place(u.x + q.shift.x), right.y))
+        .collect()
 }

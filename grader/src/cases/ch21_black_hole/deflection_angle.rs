@@ -124,6 +124,11 @@ impl Graded for DeflectionAngle {
             hint: "In 1919 an eclipse decided between two theories by a factor of two.",
             answer: |q| escapes(q).map(|b| 1.0 / b),
         },
+        Mistake {
+            name: "takes the angle between the first and the last direction, which is never more than π",
+            hint: "A ray may go around the hole before it leaves: which angle does the arc cosine give of a turn and a half?",
+            answer: |q| Self::right(q).map(|angle| f64::from(angle).cos().acos() as f32),
+        },
     ];
 }
 

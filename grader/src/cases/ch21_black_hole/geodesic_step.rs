@@ -147,6 +147,17 @@ impl Graded for GeodesicStep {
             hint: "Do you square the length of x × v, or its square?",
             answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).powi(2) * x / x.length().powi(5)),
         },
+        Mistake {
+            name: "keeps the length of the velocity",
+            hint: "Light has always the same speed, but v is dx/dλ: is dv/dλ perpendicular to v?",
+            answer: |q| {
+                let after = Self::right(q);
+                GeodesicStepAnswer {
+                    velocity: q.velocity.length() * after.velocity.normalize_or_zero(),
+                    ..after
+                }
+            },
+        },
     ];
 }
 

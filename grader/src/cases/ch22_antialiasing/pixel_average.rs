@@ -302,5 +302,16 @@ impl Graded for PixelAverage {
                 })
             },
         },
+        Mistake {
+            name: "returns the plain mean of the samples where all weights are 0",
+            hint: "No sample is within the radius: what does the task say of a pixel like this?",
+            answer: |q| {
+                if q.samples.iter().any(|s| tent(q, s.offset) > 0.0) {
+                    Self::right(q)
+                } else {
+                    average(q, |_, _| 1.0)
+                }
+            },
+        },
     ];
 }

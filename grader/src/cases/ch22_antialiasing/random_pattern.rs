@@ -104,7 +104,7 @@ impl Graded for RandomPattern {
         },
         Flaw {
             complaint: "too even to be independent",
-            name: "spreads the points evenly, each in a cell of its own",
+            name: "spreads the points more evenly than chance does",
             hint: "Does a point know where the others are? Independent points make crowds and leave gaps.",
         },
         Flaw {
@@ -249,6 +249,22 @@ impl Graded for RandomPattern {
             name: "takes the root of its numbers for y only",
             hint: "Which share of your y is below a half, and which of your x?",
             answer: |q| each(q, |u| vec2(u.x, u.y.sqrt())),
+        },
+        Mistake {
+            name: "refuses points that are near others",
+            hint: "Independent points know nothing of each other: may two of them be close together?",
+            answer: |q| {
+                let rng = &mut pcg::stream(22, q.seed.into());
+                let least = 0.5 / (q.n as f32).sqrt();
+                let mut points: Vec<Vec2> = Vec::new();
+                while points.len() < q.n as usize {
+                    let p = vec2(rng.random(), rng.random());
+                    if points.iter().all(|other| other.distance(p) >= least) {
+                        points.push(p);
+                    }
+                }
+                points
+            },
         },
     ];
 }

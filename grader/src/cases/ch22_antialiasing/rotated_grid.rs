@@ -218,6 +218,11 @@ impl Graded for RotatedGrid {
                 }))
             },
         },
+        Mistake {
+            name: "takes ½ for the angle, and rotates clockwise",
+            hint: "½ is the tangent: what is the angle, in radians?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-0.5).rotate(p))),
+        },
     ];
 }
 

@@ -276,5 +276,16 @@ impl Graded for SpendBudget {
                 counts
             },
         },
+        Mistake {
+            name: "gives only the minimum where all deviations are 0",
+            hint: "Of a picture whose samples are all alike, is the budget spent too?",
+            answer: |q| {
+                if q.deviations.iter().all(|d| *d == 0.0) {
+                    vec![q.least; q.deviations.len()]
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
     ];
 }

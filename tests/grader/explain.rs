@@ -195,7 +195,6 @@ const ONLY_TOLD: &[&str] = &[
     "two_level_walk: apart: the distance between two planes, along each axis",
     "two_level_walk: the coarse cells along z",
     "two_level_walk: nz",
-    "octree_build: Σ nᵢ/n, by which the copies are lowered",
     "octree_walk: node 0, opened: the ray enters and leaves its cell at t =",
     "octree_walk: half of a cell's extents",
     "octree_walk: the number of shapes of an empty leaf",

@@ -208,25 +208,6 @@ impl Graded for SolveQuadratic {
                 right.map(|t| if q.a < 0.0 { vec2(t.y, t.x) } else { t })
             },
         },
-        Mistake {
-            name: "uses the schoolbook formula for both roots, in double precision",
-            hint: "Double precision has about 16 digits: how many of them are left in the smaller root, where b² is 10¹⁶ times as large as 4ac?",
-            answer: |q| {
-                in_double(q, |[a, b, _], root| {
-                    [(-b - root) / (2.0 * a), (-b + root) / (2.0 * a)]
-                })
-            },
-        },
-        Mistake {
-            name: "takes the second root from the sum of both, −b/a",
-            hint: "Where one root is 10¹⁶ times as large as the other, how many digits of the small one are in their sum? What is their product?",
-            answer: |q| {
-                in_double(q, |[a, b, _], root| {
-                    let first = (-b - root.copysign(b)) / (2.0 * a);
-                    [first, -b / a - first]
-                })
-            },
-        },
     ];
 }
 
@@ -255,15 +236,5 @@ fn stable(q: &SolveQuadratic, larger: f32, smaller: f32) -> Option<Vec2> {
         } else {
             vec2(smaller * t.x, larger * t.y)
         })
-    })
-}
-
-/// The roots by a formula in double precision, which is given a, b and c, and √(b² − 4ac).
-fn in_double(q: &SolveQuadratic, formula: fn([f64; 3], f64) -> [f64; 2]) -> Option<Vec2> {
-    let [a, b, c] = [q.a, q.b, q.c].map(f64::from);
-    let discriminant = b * b - 4.0 * a * c;
-    (a != 0.0 && discriminant >= 0.0).then(|| {
-        let [one, other] = formula([a, b, c], discriminant.sqrt());
-        sorted(vec2(one as f32, other as f32))
     })
 }

@@ -58,7 +58,8 @@ pub fn passage(
 ) -> Verdict {
     let way = Way::new(ray, within, cells);
     let number = |counted: usize| format!("you visit {counted}, the reference {}", golden.len());
-    let mut reached = f64::NEG_INFINITY;
+    // How far the ray has come in the cells so far, and in those whose insides it reaches.
+    let (mut reached, mut surely) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (i, &cell) in got.iter().enumerate() {
         let Some(bounds) = cells.get(cell as usize) else {
             return Err(format!("there is no {what} {cell}"));
@@ -72,15 +73,16 @@ pub fn passage(
                 "the ray does not pass through {what} {cell} ({number})"
             ));
         };
-        if leaves < reached {
+        // Of neighbours, one is left where the other is entered.
+        let well = way.inside(bounds, -way.tolerance);
+        if leaves < reached || well.is_some_and(|(_, leaves)| leaves < surely) {
             return Err(format!(
                 "{what} {cell} comes too late: the ray leaves it before it enters the {what} before it in your list"
             ));
         }
-        reached = reached.max(
-            way.inside(bounds, 0.0)
-                .map_or(reached, |(enters, _)| enters),
-        );
+        let enters = |inside: Option<(f64, f64)>| inside.map_or(f64::NEG_INFINITY, |at| at.0);
+        reached = reached.max(enters(way.inside(bounds, 0.0)));
+        surely = surely.max(enters(well));
     }
     for &cell in golden {
         let bounds = cells.get(cell as usize);

@@ -23,13 +23,16 @@ pub fn upon<E: Graded>(
     question: &E,
 ) -> Option<E::Answer> {
     // Whatever a call that panicked has left.
-    (OTHER.set(None), MADE.set(None), GIVEN.set(None));
+    OTHER.set(None);
+    GIVEN.set(None);
+    MADE.set(None);
     (second.answer)(question);
     GIVEN.set(MADE.take());
     IS_ASKED.set(false);
     OTHER.set(Some(second));
     let answer = (first.answer)(question);
-    (OTHER.set(None), GIVEN.set(None));
+    OTHER.set(None);
+    GIVEN.set(None);
     IS_ASKED.get().then_some(answer)
 }
 

@@ -124,6 +124,12 @@ struct Considered {
     then: Option<(String, String)>,
 }
 
+/// What the nearest leaves of the distance.
+fn nearest(found: &[Considered]) -> f64 {
+    let rests = found.iter().map(|one| one.rest);
+    rests.fold(f64::INFINITY, f64::min)
+}
+
 /// A mistake whose answers have the same traits as the student's.
 pub struct Likely {
     /// What is said of it.
@@ -134,15 +140,18 @@ pub struct Likely {
     pub is_near: bool,
 }
 
-/// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
-pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely> {
+/// All mistakes whose answers have about the traits of the student's: single ones, and two at once where no single one comes near.
+fn considered(
+    evidence: &Evidence<'_>,
+    readings: &[Misreading],
+    traits: &Traits<'_, '_>,
+    whole: &Distance,
+) -> Vec<Considered> {
     let examiner = evidence.examiner;
-    let traits = Traits::of(evidence)?;
-    let distance = |answers: &dyn Fn(usize) -> Option<Vec<f64>>| traits.distance(answers);
     let right = golden(evidence);
-    let whole = distance(&|i| right[i].clone())?;
-    let considered = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
-        let rest = distance(answers).filter(|rest| rest.explains(&whole))?;
+    let consider = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let rest = traits.distance(answers);
+        let rest = rest.filter(|rest| rest.explains(whole))?;
         Some(Considered {
             rest: rest.norm(),
             rank,
@@ -154,7 +163,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     let mut found: Vec<Considered> = Vec::new();
     for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
         let answer = |k| evidence.mistaken(i, k);
-        found.extend(considered(0, name, hint, &answer));
+        found.extend(consider(0, name, hint, &answer));
     }
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
@@ -162,11 +171,11 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     for one in made {
         let answers: Answers = one.answers;
         let answer = |k: usize| answers[k].clone();
-        found.extend(considered(one.rank, &one.name, &one.hint, &answer));
+        found.extend(consider(one.rank, &one.name, &one.hint, &answer));
     }
     for reading in readings {
         let answer = |k| misread(evidence, reading, k);
-        found.extend(considered(
+        found.extend(consider(
             reading.rank,
             &reading.name,
             &reading.hint,
@@ -178,21 +187,25 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
     if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
         let by_steps = |slip: Slipped| {
             let answer = |k: usize| slip.answer_to(evidence, k);
-            considered(SLIP, &slip.name, &slip.hint, &answer)
+            consider(SLIP, &slip.name, &slip.hint, &answer)
         };
         found.extend(promising(evidence).into_iter().filter_map(by_steps));
     }
-    let nearest = |found: &[Considered]| {
-        found
-            .iter()
-            .map(|one| one.rest)
-            .fold(f64::INFINITY, f64::min)
-    };
     if by_themselves && nearest(&found) > ALMOST * whole.norm() {
         let most = TWICE_AS_NEAR * nearest(&found).min(2.0 * NEAR * whole.norm());
-        let pairs = two(evidence, &traits, whole.norm());
+        let pairs = two(evidence, traits, whole.norm());
         found.extend(pairs.into_iter().filter(|pair| pair.rest < most));
     }
+    found
+}
+
+/// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
+pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely> {
+    let examiner = evidence.examiner;
+    let traits = Traits::of(evidence)?;
+    let right = golden(evidence);
+    let whole = traits.distance(&|i| right[i].clone())?;
+    let found = considered(evidence, readings, &traits, &whole);
     let nearest = nearest(&found);
     // What is as near as the nearest, but for chance: the commonest first.
     let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();

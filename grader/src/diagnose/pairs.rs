@@ -199,17 +199,19 @@ pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 continue;
             };
             let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
-            // The one that shows in more answers comes first.
-            let shows = |mistake: usize| {
-                let right = |k: &usize| evidence.items[*k].golden();
-                let shows = |k: &usize| {
-                    evidence
-                        .mistaken(mistake, *k)
-                        .is_some_and(|v| v != right(k))
-                };
-                (0..evidence.wrong).filter(shows).count()
+            // The one that explains more alone comes first, or that shows in more answers.
+            let alone = |mistake: usize| {
+                let answers = (0..evidence.wrong).filter_map(|k| {
+                    let answer = evidence.mistaken(mistake, k)?;
+                    Some((k, answer))
+                });
+                answers.fold((0, 0), |(explained, shown), (k, answer)| {
+                    let explains = usize::from(evidence.explains(k, &answer));
+                    let shows = usize::from(answer != evidence.items[k].golden());
+                    (explained + explains, shown + shows)
+                })
             };
-            let (name, then) = if shows(first) > shows(second) {
+            let (name, then) = if alone(first) > alone(second) {
                 (told(first), told(second))
             } else {
                 (told(second), told(first))

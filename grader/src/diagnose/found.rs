@@ -2,6 +2,7 @@
 
 use super::evidence::{Evidence, Scope, Score};
 use super::fit::Answers;
+use super::pairs;
 use super::special::SEEN;
 use super::{Beside, Diagnosis};
 
@@ -80,6 +81,11 @@ impl Found {
 
     pub fn is_own(&self) -> bool {
         self.rank == 0
+    }
+
+    /// Whether it is one of the exercise's own mistakes, or two of them.
+    pub fn is_of_own(&self) -> bool {
+        self.is_own() || self.then.is_some() && self.rank <= pairs::OWN
     }
 
     /// Whether it may be told at all.

@@ -145,7 +145,8 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     });
     // A question may be misread in many ways: one of them gives the rest of the answers by chance more often than an own mistake.
     let is_told = |cover: &&cover::Cover| {
-        let is_own = cover.is_own() && cover.go_together();
+        let is_told_better = || complete.is_some_and(Found::is_of_own);
+        let is_own = cover.is_own() && (cover.go_together() || !is_told_better());
         cover.is_whole() && !is_one && (is_own || complete.is_none())
     };
     if let Some(found) = cover.as_ref().filter(is_told) {
@@ -228,7 +229,8 @@ fn with_cause(
             return in_parts(parts);
         }
     }
-    let complete = complete.filter(|one| one.then.is_none() && one.score.tells >= TELLS);
+    let complete = complete.filter(|one| one.is_of_own() || one.then.is_none());
+    let complete = complete.filter(|one| one.score.tells >= TELLS);
     let nearly = search::nearly(evidence);
     if let Some(cause) = complete.or(nearly.as_ref()) {
         let mut told = cause.told(evidence);

@@ -21,6 +21,9 @@ const PAIRS: usize = 60;
 /// Steps and decisions that are gone in all, when slips are tried two by two.
 const STEPS: usize = 2_000_000;
 
+/// The rank of two of the exercise's own mistakes, at most.
+pub const OWN: u32 = 44;
+
 /// What is answered to the question of an item.
 type Answer<'a> = &'a dyn Fn(usize) -> Option<Vec<f64>>;
 
@@ -160,7 +163,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                     hint,
                     then: Some(told(i)),
                     rival: None,
-                    rank: 44,
+                    rank: OWN,
                     fitted: 0,
                     score,
                     answers,
@@ -222,7 +225,7 @@ pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 hint,
                 then: Some(then),
                 rival: None,
-                rank: 42,
+                rank: OWN - 2,
                 fitted: 0,
                 score,
                 answers,

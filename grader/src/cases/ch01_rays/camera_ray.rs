@@ -140,6 +140,17 @@ impl Graded for CameraRay {
             hint: "The plane is as wide as plane.x says: what is left for the ratio of the picture's sides to do?",
             answer: |q| Self::misread(q, |q| q.plane.x *= q.plane.x / q.plane.y),
         },
+        Mistake {
+            name: "divides the angle of view evenly, not the image plane",
+            hint: "The pixels are squares side by side on a plane: are the angles between their rays all alike?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let half = 0.5 * q.plane / q.focal_length;
+                    let turned = (2.0 * (q.film - 0.5) * half.map(f32::atan)).map(f32::tan);
+                    q.film = 0.5 + 0.5 * turned / half;
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

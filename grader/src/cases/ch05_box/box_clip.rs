@@ -193,6 +193,11 @@ impl Graded for BoxClip {
             hint: "The ray is inside the box once it has entered all three slabs: do you keep the latest entry, or the last one that you calculate?",
             answer: of_last_axis,
         },
+        Mistake {
+            name: "gives up a box that lies behind the ray's origin",
+            hint: "An interval may begin before 0: is what lies behind the origin in it?",
+            answer: |q| Self::right(q).filter(|part| part.max >= 0.0),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -494,28 +494,39 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "applies the limit on copies to each cell afresh, whatever the cuts above it have used",
             hint: "The root's cut makes as many copies as the limit allows: how many are left for the children?",
-            answer: |q| {
-                let mut tree = TreeRow {
-                    nodes: vec![leaf(0, 0)],
-                    names: Vec::new(),
-                };
-                let root = Aabb::new(q.min, q.max);
-                let all = (0..q.shapes.len() as u32).collect();
-                fill(q, &mut tree, 0, &root, all, q.depth);
-                tree
-            },
+            answer: |q| with_limit(q, |copies, _| copies),
+        },
+        Mistake {
+            name: "takes what a cut adds off the limit on copies, and does not divide by what it multiplies by",
+            hint: "A cut makes twice as many names, and the next one twice as many again: how many are these, and how many did the limit allow?",
+            answer: |q| with_limit(q, |copies, made| copies - (made - 1.0)),
         },
     ];
 }
 
-/// Builds what is below a node: a cell may make `copies` names of each of its shapes, whatever the cells around it have made.
+/// What is left of a limit on copies after a cut that makes some names of each shape.
+type Left = fn(copies: f32, made: f32) -> f32;
+
+/// The tree with another rule for what is left of the limit.
+fn with_limit(q: &OctreeBuild, left: Left) -> TreeRow {
+    let mut tree = TreeRow {
+        nodes: vec![leaf(0, 0)],
+        names: Vec::new(),
+    };
+    let root = Aabb::new(q.min, q.max);
+    let all = (0..q.shapes.len() as u32).collect();
+    fill(q, left, &mut tree, (0, &root), all, (q.depth, q.copies));
+    tree
+}
+
+/// Builds what is below a node, of a cell with these shapes, within limits on depth and copies.
 fn fill(
     q: &OctreeBuild,
+    left: Left,
     tree: &mut TreeRow,
-    node: usize,
-    cell: &Aabb,
+    (node, cell): (usize, &Aabb),
     shapes: Vec<u32>,
-    depth: u32,
+    (depth, copies): (u32, f32),
 ) {
     let cells: [Aabb; 8] = std::array::from_fn(|i| child_cell(cell, i));
     let is_in = |shape: u32, i: usize| reached(&q.shapes[shape as usize], &cells) >> i & 1 == 1;
@@ -525,7 +536,7 @@ fn fill(
     });
     let before = shapes.len() as f32;
     let after = parts.iter().map(Vec::len).sum::<usize>() as f32;
-    if depth == 0 || q.opening + 0.25 * after >= before || after > q.copies * before {
+    if depth == 0 || q.opening + 0.25 * after >= before || after > copies * before {
         tree.nodes[node] = leaf(tree.names.len() as u32, shapes.len() as u32);
         tree.names.extend(shapes);
         return;
@@ -534,6 +545,7 @@ fn fill(
     tree.nodes[node] = inner(first as u32);
     tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
     for (i, part) in parts.into_iter().enumerate() {
-        fill(q, tree, first + i, &cells[i], part, depth - 1);
+        let limits = (depth - 1, left(copies, after / before));
+        fill(q, left, tree, (first + i, &cells[i]), part, limits);
     }
 }

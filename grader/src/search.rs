@@ -184,7 +184,11 @@ pub fn colour(hit: Option<&MeshHitAnswer>) -> Rgb {
 
 /// Searches below a node, rightly but for what is changed.
 pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found {
-    let how = changed(WELL, change);
+    go(tree, root, changed(WELL, change))
+}
+
+/// The same, as it is said.
+fn go(tree: &Tree, root: &Node, how: How) -> Found {
     let (within, found) = (tree.within, Found::default());
     let mut search = Search {
         tree,
@@ -246,7 +250,7 @@ fn search_grown(tree: &Tree, root: &Node, fraction: f32) -> Found {
     let grow = |(bounds, node): (Aabb, Node)| (grown(bounds, fraction), node);
     let children = |branch| (tree.children)(branch).into_iter().map(grow).collect();
     let children = &children;
-    search(&Tree { children, ..*tree }, root, |_| {})
+    go(&Tree { children, ..*tree }, root, WELL)
 }
 
 /// A box that is larger by a fraction of its size on every side.

@@ -1,51 +1,61 @@
 //! One mistake made upon another: a program that has both.
 //!
-//! Most mistakes are made of something right: of the right answer, or of the settings of a function that goes right. While one of them is made
-//! upon another, both are the other's.
+//! Most mistakes are made of something right: of the right answer ([`Graded::right`]), or of the settings of a function that goes right
+//! ([`changed`]). While the first of two is tried, both give what the second makes. They are for mistakes only, and never for a judge.
 
 use crate::{Graded, Mistake};
 use std::any::Any;
 use std::cell::{Cell, RefCell};
 
 thread_local! {
-    /// The mistake whose answer is given for the right one, and whether anybody has asked for it, or for its settings.
+    /// The mistake whose answer is given for the right one.
     static OTHER: Cell<Option<&'static dyn Any>> = const { Cell::new(None) };
-    static IS_ASKED: Cell<bool> = const { Cell::new(false) };
-    /// The settings that were made last, and those that are taken for the right ones.
-    static MADE: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+    /// The settings that are given for the right ones.
     static GIVEN: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+    /// The settings that were made last.
+    static MADE: RefCell<Option<Box<dyn Any>>> = const { RefCell::new(None) };
+    /// Whether anybody has asked for the other's answer, or for its settings.
+    static IS_ASKED: Cell<bool> = const { Cell::new(false) };
 }
 
-/// What is answered by one who makes the first mistake upon the second; none if the first is made of nothing that the second changes.
+/// While it lives, another mistake is given for what is right; a panic ends it, too.
+struct Giving;
+
+impl Drop for Giving {
+    fn drop(&mut self) {
+        OTHER.set(None);
+        GIVEN.set(None);
+        MADE.set(None);
+    }
+}
+
+/// What is answered by one who makes the first mistake upon the second, and whether the first is made of anything that the second changes.
 pub fn upon<E: Graded>(
     first: &'static Mistake<E>,
     second: &'static Mistake<E>,
     question: &E,
-) -> Option<E::Answer> {
-    // Whatever a call that panicked has left.
-    OTHER.set(None);
-    GIVEN.set(None);
-    MADE.set(None);
+) -> (E::Answer, bool) {
+    let _giving = Giving;
     (second.answer)(question);
     GIVEN.set(MADE.take());
     IS_ASKED.set(false);
     OTHER.set(Some(second));
     let answer = (first.answer)(question);
-    OTHER.set(None);
-    GIVEN.set(None);
-    IS_ASKED.get().then_some(answer)
+    (answer, IS_ASKED.get())
 }
 
 /// The answer of the mistake that is given for the right one, if there is one.
 pub(crate) fn answer<E: Graded>(question: &E) -> Option<E::Answer> {
-    // What it is made of itself is right.
     let other = OTHER.take()?;
+    // What the other is made of itself is right.
+    let given = GIVEN.take();
     let mistake = other.downcast_ref::<Mistake<E>>();
     let answer = mistake.map(|mistake| (mistake.answer)(question));
     if answer.is_some() {
         IS_ASKED.set(true);
     }
     OTHER.set(Some(other));
+    GIVEN.set(given);
     answer
 }
 

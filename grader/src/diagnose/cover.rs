@@ -31,7 +31,7 @@ struct One {
     score: Score,
     /// Of each wrong answer, whether the mistake gives it.
     gives: Vec<bool>,
-    /// And whether the mistake's own answer is wrong, too.
+    /// Of each wrong answer, whether the mistake's own answer is wrong, too.
     shows: Vec<bool>,
     /// The first case that it gives.
     shown: Option<usize>,
@@ -56,8 +56,7 @@ impl Cover {
         self.chosen.iter().all(|one| one.rank == 0)
     }
 
-    /// Whether of each two that are in one function one is done before the other, and hides it: where each should hide the other, they are not
-    /// the two.
+    /// Whether of each two one may hide the other, but not each the other: who makes both does one before the other.
     pub fn go_together(&self) -> bool {
         let pairs = |(i, one): (usize, &One)| {
             let mut before = self.chosen[..i].iter();

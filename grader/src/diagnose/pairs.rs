@@ -8,6 +8,7 @@ use super::search::called;
 use super::slips::slipped;
 use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
+use std::cell::Cell;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
 const PROBE: usize = 8;
@@ -15,13 +16,19 @@ const PROBE: usize = 8;
 /// The share of what a pair must give of all wrong answers that it must give of the probe.
 const PROMISING: f64 = 0.9;
 
+/// The effort of an answer from which on few pairs are tried.
+const SLOW: usize = 10;
+
 /// Ways to misread a question that are tried in pairs, the likeliest first.
 const PAIRS: usize = 60;
 
 /// Steps and decisions that are gone in all, when slips are tried two by two.
 const STEPS: usize = 2_000_000;
 
-/// The rank of two of the exercise's own mistakes, at most.
+/// The rank of two of the exercise's own mistakes of which one is made upon the other …
+const UPON: u32 = 42;
+
+/// … and of two that do not meddle with each other. All other pairs are behind them.
 pub const OWN: u32 = 44;
 
 /// What is answered to the question of an item.
@@ -174,58 +181,55 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
 }
 
 /// Explanations by one of the exercise's own mistakes made upon another.
-pub fn upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
-    let examiner = evidence.examiner;
-    let Some(probe) = evidence.probe(PROBE) else {
-        return;
-    };
-    if probe.wrong < 3 || evidence.tells_in_all() < TELLS || evidence.scope != Scope::Whole {
+pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
+    if evidence.scope != Scope::Whole || evidence.tells_in_all() < TELLS {
         return;
     }
-    // What tells little of each answer must give all of them.
-    let share = if probe.tells_much() { MOST } else { 1.0 };
-    let mistakes = examiner.mistakes();
-    let answer = |of: &Evidence<'_>, first: usize, second: usize, k: usize| {
-        let question = &of.items[k].question;
-        attempt(|| examiner.mistakes_answer(first, second, question)).flatten()
+    let Some(probe) = evidence.probe(PROBE).filter(|probe| probe.wrong >= 3) else {
+        return;
     };
+    // Where single answers say little more than yes or no, a pair must give every wrong one.
+    let share = if probe.tells_much() { MOST } else { 1.0 };
+    let examiner = evidence.examiner;
+    let mistakes = examiner.mistakes();
+    // Where answers take long, one of the two must give half of the answers alone.
+    let is_slow = examiner.limits().effort >= SLOW;
+    let gives = |mistake: usize| {
+        let gives = |k: &usize| {
+            let alone = probe.mistaken(mistake, *k);
+            alone.is_some_and(|alone| probe.explains(*k, &alone))
+        };
+        !is_slow || 2 * (0..probe.wrong).filter(gives).count() >= probe.wrong
+    };
+    let gives: Vec<_> = (0..mistakes.len()).map(gives).collect();
     for first in 0..mistakes.len() {
-        for second in (0..mistakes.len()).filter(|second| *second != first) {
-            let promises = probe.score(PROMISING * share, |k| answer(&probe, first, second, k));
-            if promises.is_none() {
+        let others = (0..mistakes.len()).filter(|second| *second != first);
+        for second in others.filter(|second| gives[first] || gives[*second]) {
+            let pair = [first, second];
+            let is_asked = Cell::new(false);
+            let answer = |of: &Evidence<'_>, k: usize| {
+                let (answer, asked) = of.both_mistaken(pair, k)?;
+                is_asked.set(is_asked.get() || asked);
+                Some(answer)
+            };
+            let promises = probe.score(PROMISING * share, |k| answer(&probe, k));
+            if promises.is_none() || !is_asked.get() {
                 continue;
             }
             let answers: Answers = (0..evidence.items.len())
-                .map(|k| answer(evidence, first, second, k))
+                .map(|k| answer(evidence, k))
                 .collect();
             let Some(score) = evidence.score(share, |k| answers[k].clone()) else {
                 continue;
             };
             let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
-            // The one that explains more alone comes first, or that shows in more answers.
-            let alone = |mistake: usize| {
-                let answers = (0..evidence.wrong).filter_map(|k| {
-                    let answer = evidence.mistaken(mistake, k)?;
-                    Some((k, answer))
-                });
-                answers.fold((0, 0), |(explained, shown), (k, answer)| {
-                    let explains = usize::from(evidence.explains(k, &answer));
-                    let shows = usize::from(answer != evidence.items[k].golden());
-                    (explained + explains, shown + shows)
-                })
-            };
-            let (name, then) = if alone(first) > alone(second) {
-                (told(first), told(second))
-            } else {
-                (told(second), told(first))
-            };
-            let (name, hint) = name;
+            let [(name, hint), then] = evidence.in_order(pair).map(told);
             found.push(Found {
                 name,
                 hint,
                 then: Some(then),
                 rival: None,
-                rank: OWN - 2,
+                rank: UPON,
                 fitted: 0,
                 score,
                 answers,

@@ -5,7 +5,7 @@ use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::{Misreading, bounded, times};
-use super::pairs::{both, composed, pairs, upon};
+use super::pairs::{both, composed, made_upon, pairs};
 use super::regime::{self, Regime};
 use super::slips::{Slipped, fitted, goes_a_known_way, slipped};
 use super::special;
@@ -21,7 +21,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
     if !found.iter().any(Found::is_complete) && evidence.scope != Scope::Shape {
         pairs(evidence, readings, &mut found);
         composed(evidence, &mut found);
-        upon(evidence, &mut found);
+        made_upon(evidence, &mut found);
         // One slip that explains all but a few answers, which rounding decides, is simpler than two.
         if !found.iter().any(Found::is_nearly_the_one) {
             both(evidence, readings, &mut found);

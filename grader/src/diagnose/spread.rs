@@ -6,7 +6,7 @@ use super::misread::Misreading;
 use super::search::{golden, misread};
 use super::slips::{Slipped, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
-use crate::attempt::attempt;
+use std::cell::Cell;
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -110,6 +110,9 @@ const ALMOST: f64 = 0.05;
 /// The rank of two mistakes: behind one.
 const PAIR: u32 = 2;
 
+/// Mistakes that are tried two by two: those whose answers are nearest to the student's.
+const CANDIDATES: usize = 10;
+
 /// Two mistakes leave at most this share of what one leaves.
 const TWICE_AS_NEAR: f64 = 0.5;
 
@@ -191,10 +194,10 @@ fn considered(
         };
         found.extend(promising(evidence).into_iter().filter_map(by_steps));
     }
-    if by_themselves && nearest(&found) > ALMOST * whole.norm() {
-        let most = TWICE_AS_NEAR * nearest(&found).min(2.0 * NEAR * whole.norm());
-        let pairs = two(evidence, traits, whole.norm());
-        found.extend(pairs.into_iter().filter(|pair| pair.rest < most));
+    let most = nearest(&found);
+    if by_themselves && most > ALMOST * whole.norm() {
+        let pairs = two(evidence, traits, whole).into_iter();
+        found.extend(pairs.filter(|pair| pair.rest < TWICE_AS_NEAR * most));
     }
     found
 }
@@ -294,13 +297,9 @@ fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
     right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 
-/// Two of the exercise's own mistakes, one made upon the other, whose answers have the same traits as the student's.
-fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: f64) -> Vec<Considered> {
-    let examiner = evidence.examiner;
-    let answer = |of: &Evidence<'_>, [first, second]: [usize; 2], k: usize| {
-        let question = &of.items[k].question;
-        attempt(|| examiner.mistakes_answer(first, second, question)).flatten()
-    };
+/// Two of the exercise's own mistakes, one made upon the other, whose answers have the same traits as the student's, and are much nearer to
+/// these than the answers of each of the two.
+fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Vec<Considered> {
     let Some(probe) = evidence.probe(PROBE) else {
         return Vec::new();
     };
@@ -311,26 +310,47 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: f64) -> Vec<Cons
     let Some(from_right) = few.distance(&|k| right[k].clone()) else {
         return Vec::new();
     };
-    let mistakes = examiner.mistakes();
+    let mistakes = evidence.examiner.mistakes();
     let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
+    let alone = |mistake: usize| few.distance(&|k| probe.mistaken(mistake, k));
+    let alone = (0..mistakes.len()).filter_map(|i| Some((i, alone(i)?.norm())));
+    let mut near: Vec<_> = alone.collect();
+    near.sort_by(|a, b| a.1.total_cmp(&b.1));
+    near.truncate(CANDIDATES);
+    let all_of = |mistake: usize| traits.distance(&|k| evidence.mistaken(mistake, k));
+    let near = near.into_iter().map(|(mistake, _)| {
+        let rest = all_of(mistake).map_or(f64::INFINITY, |rest| rest.norm());
+        (mistake, rest)
+    });
+    let near: Vec<_> = near.collect();
     let mut found = Vec::new();
-    for first in 0..mistakes.len() {
-        for second in (0..mistakes.len()).filter(|second| *second != first) {
-            let rest = few.distance(&|k| answer(&probe, [first, second], k));
-            if rest.is_none_or(|rest| rest.norm() > PROMISING * from_right.norm()) {
+    for &(first, one) in &near {
+        for &(second, other) in near.iter().filter(|(second, _)| *second != first) {
+            let pair = [first, second];
+            let is_asked = Cell::new(false);
+            let answer = |of: &Evidence<'_>, k: usize| {
+                let (answer, asked) = of.both_mistaken(pair, k)?;
+                is_asked.set(is_asked.get() || asked);
+                Some(answer)
+            };
+            let rest = few.distance(&|k| answer(&probe, k));
+            let promises = rest.is_some_and(|rest| rest.norm() <= PROMISING * from_right.norm());
+            if !promises || !is_asked.get() {
                 continue;
             }
-            let rest = traits.distance(&|k| answer(evidence, [first, second], k));
-            let Some(rest) = rest.filter(|rest| rest.norm() <= NEAR * whole) else {
+            let most = (TWICE_AS_NEAR * one.min(other)).min(NEAR * whole.norm());
+            let rest = traits.distance(&|k| answer(evidence, k));
+            let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole));
+            let Some(rest) = rest else {
                 continue;
             };
-            let (name, hint) = told(second);
+            let [(name, hint), then] = evidence.in_order(pair).map(told);
             found.push(Considered {
                 rest: rest.norm(),
                 rank: PAIR,
                 name,
                 hint,
-                then: Some(told(first)),
+                then: Some(then),
             });
         }
     }

@@ -91,10 +91,15 @@ impl<E: Graded> Examiner for Examination<E> {
         Some(to_numbers(&answer(&from_numbers(question))))
     }
 
-    fn mistakes_answer(&self, first: usize, second: usize, question: &[f64]) -> Option<Vec<f64>> {
+    fn mistakes_answer(
+        &self,
+        first: usize,
+        second: usize,
+        question: &[f64],
+    ) -> Option<(Vec<f64>, bool)> {
         let [first, second] = [first, second].map(|i| E::MISTAKES.get(i));
-        let answer = upon(first?, second?, &from_numbers(question))?;
-        Some(to_numbers(&answer))
+        let (answer, is_asked) = upon(first?, second?, &from_numbers(question));
+        Some((to_numbers(&answer), is_asked))
     }
 
     fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64> {

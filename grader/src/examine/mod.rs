@@ -76,14 +76,14 @@ pub trait Examiner: Sync {
     /// What mistake number i answers.
     fn mistake_answers(&self, i: usize, question: &[f64]) -> Option<Vec<f64>>;
 
-    /// What is answered by one who makes mistake number `first` upon mistake number `second`; none if the first is made of nothing that the
-    /// second changes.
+    /// What is answered by one who makes mistake number `first` upon mistake number `second`, and whether the first is made of anything that
+    /// the second changes.
     fn mistakes_answer(
         &self,
         _first: usize,
         _second: usize,
         _question: &[f64],
-    ) -> Option<Vec<f64>> {
+    ) -> Option<(Vec<f64>, bool)> {
         None
     }
 

@@ -12,7 +12,7 @@ pub(super) trait Lanes: Copy {
     /// The triangles that the ray hits before `max`, if there are any.
     fn triangles(self, leaf: &Leaf, ray: &WideRay, max: f32) -> Option<Struck>;
 
-    /// Asks the memory for the child that is next.
+    /// Asks the memory for a child that is needed soon.
     fn fetch_next(self, tree: &Tree, link: Link);
 
     /// Asks the memory for a child that is met, one of several: into the second-level cache, for the first one is too small for

@@ -114,7 +114,7 @@ fn deeper<L: Lanes>(
 
 /// Whether anything is hit at or below a node or leaf. No child needs to be nearer than another, so nothing is sorted.
 ///
-/// A leaf is asked for and put aside until the next one is met: meanwhile it comes from memory.
+/// A leaf is prefetched, and tested when the next one is met.
 #[inline(always)]
 pub(super) fn any<L: Lanes>(
     lanes: L,

@@ -244,8 +244,35 @@ fn a_mistake_is_made_upon_another_if_it_is_made_of_the_right_answer() {
     let alone = asked.mistake_answers(at_origin, &question);
     let turned = alone.map(|v| v.iter().map(|v| -v).collect::<Vec<_>>());
     let both = asked.mistakes_answer(inwards, at_origin, &question);
-    assert!(both.is_some() && both == turned, "{both:?}");
+    assert_eq!(both, turned.map(|turned| (turned, true)));
     // Who forgets to normalise has calculated all by himself.
     let long = number("forgets to normalise");
-    assert_eq!(asked.mistakes_answer(long, inwards, &question), None);
+    let both = asked.mistakes_answer(long, inwards, &question);
+    let alone = asked.mistake_answers(long, &question);
+    assert_eq!(both, alone.map(|alone| (alone, false)));
+}
+
+#[test]
+fn two_settings_are_changed_in_either_order_and_nothing_stays_changed() {
+    let asked = cases::find("wide_closest").expect("an exercise");
+    let cases = asked
+        .cases(&mut raybook_grader::examine::visible_rng("wide_closest"))
+        .cases;
+    let number = |told: &str| {
+        let mut mistakes = asked.mistakes().into_iter();
+        mistakes.position(|(name, _)| name == told).expect(told)
+    };
+    let all = number("opens every child");
+    let four = number("looks at four of eight children only");
+    for case in &cases {
+        let question = asked
+            .asked()
+            .read_question(&case.question)
+            .expect("a question");
+        let before = asked.mistake_answers(all, &question);
+        let both = asked.mistakes_answer(all, four, &question);
+        assert_eq!(both, asked.mistakes_answer(four, all, &question));
+        assert!(both.is_some_and(|(_, is_made_of_it)| is_made_of_it));
+        assert_eq!(asked.mistake_answers(all, &question), before);
+    }
 }

@@ -229,12 +229,17 @@ type Round = fn(f32) -> f32;
 
 /// At least 1 along each axis.
 fn whole(along: Vec3) -> Cell {
-    rounded(along, changed(f32::round as Round, |_| {}))
+    by_rounding(along, |_| {})
 }
 
 /// The same with another rounding.
 fn rounded(along: Vec3, round: Round) -> Cell {
-    let round = changed(f32::round as Round, |how| *how = round);
+    by_rounding(along, |how| *how = round)
+}
+
+/// The same by the right rounding, but for what is changed.
+fn by_rounding(along: Vec3, change: impl FnOnce(&mut Round)) -> Cell {
+    let round = changed(f32::round as Round, change);
     along.map(round).max(Vec3::ONE).as_uvec3().into()
 }
 

@@ -529,10 +529,11 @@ fn fill(
     (depth, copies): (u32, f32),
 ) {
     let cells: [Aabb; 8] = std::array::from_fn(|i| child_cell(cell, i));
-    let is_in = |shape: u32, i: usize| reached(&q.shapes[shape as usize], &cells) >> i & 1 == 1;
+    let bits = |&shape: &u32| (shape, reached(&q.shapes[shape as usize], &cells));
+    let bits: Vec<_> = shapes.iter().map(bits).collect();
     let parts: [Vec<u32>; 8] = std::array::from_fn(|i| {
-        let inside = shapes.iter().copied();
-        inside.filter(|&shape| is_in(shape, i)).collect()
+        let inside = bits.iter().filter(|(_, bits)| bits >> i & 1 == 1);
+        inside.map(|(shape, _)| *shape).collect()
     });
     let before = shapes.len() as f32;
     let after = parts.iter().map(Vec::len).sum::<usize>() as f32;

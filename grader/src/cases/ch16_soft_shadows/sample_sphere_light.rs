@@ -321,16 +321,6 @@ impl Graded for SampleSphereLight {
             answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 0.5 / (TAU * cap))),
         },
         Mistake {
-            name: "takes πr²/d² for the solid angle of the cone, as of a small disc",
-            hint: "Go near to the light: how large is a disc of its radius at its middle, and what part of the sphere around you does the light cover?",
-            // sin² of the cone's half angle is r²/d².
-            answer: |q| {
-                cone(q, |u, cap| {
-                    (u.x * cap, TAU * u.y, 1.0 / (PI * cap * (2.0 - cap)))
-                })
-            },
-        },
-        Mistake {
             name: "returns the density of a whole sphere",
             hint: "The density is the inverse of the solid angle of the cone: how large is it?",
             answer: |q| cone(q, |u, cap| (u.x * cap, TAU * u.y, 0.5 / TAU)),

@@ -11,8 +11,8 @@ use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
 
-/// How two uniform numbers make a direction, in coordinates whose z is the normal: the cosine of the first, and the angle around the normal of
-/// both.
+/// How two uniform numbers make a direction, in coordinates whose z is the normal: the cosine of the angle to it, made of the first number, and
+/// the angle around it, made of both.
 #[derive(Clone, Copy)]
 struct How {
     cosine: fn(f32) -> f32,

@@ -5,7 +5,6 @@ use glam::{Vec3, vec2};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette::direction as direction_colour;
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionToCube};
 
 fn asks(direction: Dir3) -> DirectionToCube {
@@ -28,7 +27,7 @@ fn on_axis(q: &DirectionToCube, axis: usize) -> CubePlace {
     let longer = 2.0 * d.abs().max_element();
     let mut toward = d;
     toward[axis] = longer.copysign(d[axis]);
-    let near = DirectionToCube::answer(&asks(Dir3::new_or(toward, q.direction)));
+    let near = DirectionToCube::right(&asks(Dir3::new_or(toward, q.direction)));
     let farther = |place: f32| 0.5 + (place - 0.5) * longer / d[axis].abs();
     CubePlace {
         face: near.face,

@@ -14,7 +14,7 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
 /// Points that tell how evenly the disc is filled; fewer tell it less well.
 const ENOUGH: usize = 200;
 
-/// How points of the square are made, and where in the disc they come.
+/// The points of the square, and the map to the disc.
 #[derive(Clone, Copy)]
 struct How {
     points: fn(&ConcentricDisk) -> Vec<Vec2>,

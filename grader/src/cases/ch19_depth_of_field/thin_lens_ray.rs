@@ -7,7 +7,6 @@ use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, pcg, pcg::Pcg, ray::Ray};
 use raybook::sample::disk::concentric_disk;
 use raybook::shape::{Shape, sphere::Sphere};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch01_rays::CameraRayAnswer;
 use raybook_workbook::exercises::ch19_depth_of_field::ThinLensRay;
 
@@ -37,7 +36,7 @@ impl ThroughLens for ThinLensRay {
     }
 
     fn toward(&self, point: Vec3) -> CameraRayAnswer {
-        let CameraRayAnswer { origin, .. } = ThinLensRay::answer(self);
+        let CameraRayAnswer { origin, .. } = ThinLensRay::right(self);
         CameraRayAnswer {
             origin,
             direction: (point - origin).normalize_or_zero(),

@@ -180,6 +180,44 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     }
 }
 
+/// One of the exercise's own mistakes made upon another.
+pub struct Upon {
+    pair: [usize; 2],
+    /// Whether the first is made of anything that the second changes, as far as they were asked.
+    is_made: Cell<bool>,
+}
+
+impl Upon {
+    /// The first mistake upon the second, by their numbers.
+    pub fn new(first: usize, second: usize) -> Self {
+        Self {
+            pair: [first, second],
+            is_made: Cell::new(false),
+        }
+    }
+
+    /// What is answered to an item's question; none if one of the two stops with an error.
+    pub fn answer(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
+        let ([first, second], question) = (self.pair, &evidence.items[item].question);
+        let both = attempt(|| evidence.examiner.mistakes_answer(first, second, question));
+        let (answer, is_made) = both.flatten()?;
+        self.is_made.set(self.is_made.get() || is_made);
+        Some(answer)
+    }
+
+    /// Whether the first is made of anything that the second changes, in what was asked so far: else it is told alone.
+    pub fn is_made(&self) -> bool {
+        self.is_made.get()
+    }
+
+    /// The names and the hints of both, in the order in which they are told.
+    pub fn told(&self, evidence: &Evidence<'_>) -> [(String, String); 2] {
+        let mistakes = evidence.examiner.mistakes();
+        let told = |i: usize| (mistakes[i].0.to_owned(), mistakes[i].1.to_owned());
+        evidence.in_order(self.pair).map(told)
+    }
+}
+
 /// Explanations by one of the exercise's own mistakes made upon another.
 pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     if evidence.scope != Scope::Whole || evidence.tells_in_all() < TELLS {
@@ -190,10 +228,9 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     };
     // Where single answers say little more than yes or no, a pair must give every wrong one.
     let share = if probe.tells_much() { MOST } else { 1.0 };
-    let examiner = evidence.examiner;
-    let mistakes = examiner.mistakes();
+    let mistakes = 0..evidence.examiner.mistakes().len();
     // Where answers take long, one of the two must give half of the answers alone.
-    let is_slow = examiner.limits().effort >= SLOW;
+    let is_slow = evidence.examiner.limits().effort >= SLOW;
     let gives = |mistake: usize| {
         let gives = |k: &usize| {
             let alone = probe.mistaken(mistake, *k);
@@ -201,29 +238,22 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
         };
         !is_slow || 2 * (0..probe.wrong).filter(gives).count() >= probe.wrong
     };
-    let gives: Vec<_> = (0..mistakes.len()).map(gives).collect();
-    for first in 0..mistakes.len() {
-        let others = (0..mistakes.len()).filter(|second| *second != first);
+    let gives: Vec<_> = mistakes.clone().map(gives).collect();
+    for first in mistakes.clone() {
+        let others = mistakes.clone().filter(|second| *second != first);
         for second in others.filter(|second| gives[first] || gives[*second]) {
-            let pair = [first, second];
-            let is_asked = Cell::new(false);
-            let answer = |of: &Evidence<'_>, k: usize| {
-                let (answer, asked) = of.both_mistaken(pair, k)?;
-                is_asked.set(is_asked.get() || asked);
-                Some(answer)
-            };
-            let promises = probe.score(PROMISING * share, |k| answer(&probe, k));
-            if promises.is_none() || !is_asked.get() {
+            let upon = Upon::new(first, second);
+            let promises = probe.score(PROMISING * share, |k| upon.answer(&probe, k));
+            if promises.is_none() || !upon.is_made() {
                 continue;
             }
             let answers: Answers = (0..evidence.items.len())
-                .map(|k| answer(evidence, k))
+                .map(|k| upon.answer(evidence, k))
                 .collect();
             let Some(score) = evidence.score(share, |k| answers[k].clone()) else {
                 continue;
             };
-            let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
-            let [(name, hint), then] = evidence.in_order(pair).map(told);
+            let [(name, hint), then] = upon.told(evidence);
             found.push(Found {
                 name,
                 hint,

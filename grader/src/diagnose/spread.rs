@@ -3,10 +3,10 @@
 use super::evidence::{Evidence, Item};
 use super::fit::{self, Answers};
 use super::misread::Misreading;
+use super::pairs::Upon;
 use super::search::{golden, misread};
 use super::slips::{Slipped, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
-use std::cell::Cell;
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -310,10 +310,9 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
     let Some(from_right) = few.distance(&|k| right[k].clone()) else {
         return Vec::new();
     };
-    let mistakes = evidence.examiner.mistakes();
-    let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
+    let count = evidence.examiner.mistakes().len();
     let alone = |mistake: usize| few.distance(&|k| probe.mistaken(mistake, k));
-    let alone = (0..mistakes.len()).filter_map(|i| Some((i, alone(i)?.norm())));
+    let alone = (0..count).filter_map(|i| Some((i, alone(i)?.norm())));
     let mut near: Vec<_> = alone.collect();
     near.sort_by(|a, b| a.1.total_cmp(&b.1));
     near.truncate(CANDIDATES);
@@ -326,25 +325,19 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
     let mut found = Vec::new();
     for &(first, one) in &near {
         for &(second, other) in near.iter().filter(|(second, _)| *second != first) {
-            let pair = [first, second];
-            let is_asked = Cell::new(false);
-            let answer = |of: &Evidence<'_>, k: usize| {
-                let (answer, asked) = of.both_mistaken(pair, k)?;
-                is_asked.set(is_asked.get() || asked);
-                Some(answer)
-            };
-            let rest = few.distance(&|k| answer(&probe, k));
+            let upon = Upon::new(first, second);
+            let rest = few.distance(&|k| upon.answer(&probe, k));
             let promises = rest.is_some_and(|rest| rest.norm() <= PROMISING * from_right.norm());
-            if !promises || !is_asked.get() {
+            if !promises || !upon.is_made() {
                 continue;
             }
             let most = (TWICE_AS_NEAR * one.min(other)).min(NEAR * whole.norm());
-            let rest = traits.distance(&|k| answer(evidence, k));
+            let rest = traits.distance(&|k| upon.answer(evidence, k));
             let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole));
             let Some(rest) = rest else {
                 continue;
             };
-            let [(name, hint), then] = evidence.in_order(pair).map(told);
+            let [(name, hint), then] = upon.told(evidence);
             found.push(Considered {
                 rest: rest.norm(),
                 rank: PAIR,

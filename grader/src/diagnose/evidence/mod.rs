@@ -254,17 +254,6 @@ impl<'a> Evidence<'a> {
             .clone()
     }
 
-    /// What an own mistake answers to an item's question if it is made upon another, and whether it is made of anything that the other
-    /// changes; none if one of them stops with an error.
-    pub fn both_mistaken(
-        &self,
-        [first, second]: [usize; 2],
-        item: usize,
-    ) -> Option<(Vec<f64>, bool)> {
-        let question = &self.items[item].question;
-        attempt(|| self.examiner.mistakes_answer(first, second, question)).flatten()
-    }
-
     /// Of two own mistakes, first the one that explains more wrong answers alone, or that shows in more.
     pub fn in_order(&self, [one, other]: [usize; 2]) -> [usize; 2] {
         let alone = |mistake: usize| {

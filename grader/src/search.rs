@@ -12,7 +12,7 @@ use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHitAnswer};
 /// What is wrong where a judge of a search complains.
 pub const FLAWS: &[Flaw] = &[
     Flaw {
-        complaint: "count each",
+        complaint: "no search can do with less",
         name: "leaves out work that every search has to do, or does not count it",
         hint: "Does the search go on until the next box begins behind the hit? And is each test counted, a test that finds nothing too?",
     },
@@ -75,8 +75,25 @@ pub enum Order {
     Stored,
     /// The last that is stored first, as from a stack.
     Backwards,
+    /// The nearest first, and the others as they are stored.
+    NearestThenStored,
+    /// Leaves before branches, the nearest first among each.
+    LeavesFirst,
+    /// The one whose least corner is nearest to the ray's origin first.
+    LeastCorner,
     /// The nearest of all that wait, wherever they are in the tree: as right as the nearest of a branch.
     NearestOfAll,
+}
+
+/// The distance of a box.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub enum By {
+    /// Where the ray enters it.
+    Enter,
+    /// Where the ray leaves it.
+    Exit,
+    /// Where the ray passes its middle.
+    Middle,
 }
 
 /// Which of several hits stays.
@@ -133,8 +150,16 @@ pub struct How {
     pub forgets_the_last: bool,
     /// Begins a leaf with its second triangle.
     pub forgets_the_first: bool,
-    /// Goes by where the ray leaves the boxes, not by where it enters them.
-    pub by_exit: bool,
+    /// By which distance of a box the search goes.
+    pub by: By,
+    /// Takes a box for missed if the ray begins in it.
+    pub only_from_outside: bool,
+    /// Takes all boxes for missed if the ray does not move along some axis.
+    pub loses_parallel: bool,
+    /// Takes a triangle for missed if the ray meets its back.
+    pub culls: bool,
+    /// Ends at the first waiting node behind a hit.
+    pub ends_behind: bool,
 }
 
 /// As it should be.
@@ -157,7 +182,11 @@ const WELL: How = How {
     counts_met: false,
     forgets_the_last: false,
     forgets_the_first: false,
-    by_exit: false,
+    by: By::Enter,
+    only_from_outside: false,
+    loses_parallel: false,
+    culls: false,
+    ends_behind: false,
 };
 
 /// What a search found, and what it cost.
@@ -195,6 +224,7 @@ fn go(tree: &Tree, root: &Node, how: How) -> Found {
         how,
         within,
         found,
+        is_over: false,
     };
     if how.order == Order::NearestOfAll {
         search.open_nearest_of_all(root);
@@ -271,7 +301,7 @@ pub fn counted(what: &str, least: u32, got: u32) -> Verdict {
         Ok(())
     } else {
         Err(format!(
-            "of {what} you count {got}, and no search can do with less than {least}: count each"
+            "of {what} you count {got}, and no search can do with less than {least}: either not each is counted, or the search ends too early"
         ))
     }
 }
@@ -281,12 +311,14 @@ struct Search<'a> {
     how: How,
     within: Interval,
     found: Found,
+    /// Whether nothing more is opened.
+    is_over: bool,
 }
 
 impl Search<'_> {
     fn open(&mut self, node: &Node) {
         match node {
-            _ if self.how.stops && self.found.hit.is_some() => {}
+            _ if self.is_over || self.how.stops && self.found.hit.is_some() => {}
             Node::Branch(branch) => self.open_children(*branch),
             Node::Leaf(triangles) => self.open_leaf(triangles),
         }
@@ -327,6 +359,14 @@ impl Search<'_> {
 
     /// The children of a branch whose boxes are met, each with the distance by which they are put in order.
     fn met(&mut self, branch: u32) -> Vec<(f32, Node)> {
+        self.met_boxes(branch)
+            .into_iter()
+            .map(|(t, _, child)| (t, child))
+            .collect()
+    }
+
+    /// The same with their boxes.
+    fn met_boxes(&mut self, branch: u32) -> Vec<(f32, Aabb, Node)> {
         self.found.branches += 1;
         let mut children = (self.tree.children)(branch);
         if self.how.asks_the_first {
@@ -342,36 +382,75 @@ impl Search<'_> {
         let children = children.into_iter();
         let children = children.take(self.how.looks_at);
         children
-            .filter_map(|(bounds, child)| Some((self.meets(&bounds)?, child)))
+            .filter_map(|(bounds, child)| Some((self.meets(&bounds)?, bounds, child)))
             .collect()
     }
 
     fn open_children(&mut self, branch: u32) {
-        let mut met = self.met(branch);
-        if matches!(self.how.order, Order::Nearest | Order::Farthest) {
-            met.sort_by(|a, b| a.0.total_cmp(&b.0));
-        }
-        if matches!(self.how.order, Order::Farthest | Order::Backwards) {
-            met.reverse();
-        }
-        for (t, child) in met.iter().take(self.how.opens) {
+        let mut met = self.met_boxes(branch);
+        self.put_in_order(&mut met);
+        for (t, _, child) in met.iter().take(self.how.opens) {
             if !self.how.drops || *t <= self.within.max {
                 self.open(child);
+            } else if self.how.ends_behind {
+                self.is_over = true;
             }
         }
     }
 
+    /// The children that are met in the order in which they are opened.
+    fn put_in_order(&self, met: &mut [(f32, Aabb, Node)]) {
+        let far = |bounds: &Aabb| bounds.min.distance(self.tree.ray.origin);
+        match self.how.order {
+            Order::Stored | Order::NearestOfAll => {}
+            Order::Backwards => met.reverse(),
+            Order::Nearest => met.sort_by(|a, b| a.0.total_cmp(&b.0)),
+            Order::Farthest => {
+                met.sort_by(|a, b| a.0.total_cmp(&b.0));
+                met.reverse();
+            }
+            Order::NearestThenStored => {
+                let nearest = (0..met.len()).min_by(|&a, &b| met[a].0.total_cmp(&met[b].0));
+                if let Some(nearest) = nearest {
+                    met[..=nearest].rotate_right(1);
+                }
+            }
+            Order::LeavesFirst => met.sort_by(|a, b| {
+                let is_branch = |node: &Node| matches!(node, Node::Branch(_));
+                let kinds = is_branch(&a.2).cmp(&is_branch(&b.2));
+                kinds.then(a.0.total_cmp(&b.0))
+            }),
+            Order::LeastCorner => met.sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1))),
+        }
+    }
+
     fn meets(&mut self, bounds: &Aabb) -> Option<f32> {
-        let met = if self.how.by_exit {
-            let inside = slab::clip(bounds, self.tree.ray, self.tree.within);
-            inside.map(|inside| inside.max)
-        } else if self.how.asks {
-            RayBox::new(self.tree.ray).enters(bounds, self.within)
+        let Tree { ray, within, .. } = *self.tree;
+        let met = if self.how.asks {
+            match self.how.by {
+                By::Enter => RayBox::new(ray).enters(bounds, self.within),
+                By::Exit => slab::clip(bounds, ray, within).map(|inside| inside.max),
+                By::Middle => slab::clip(bounds, ray, within)
+                    .map(|_| ray.direction.dot(bounds.center() - ray.origin)),
+            }
         } else {
             Some(self.within.min)
         };
+        let met = met.filter(|_| !self.loses(bounds));
         self.found.boxes += u32::from(met.is_some() || !self.how.counts_met);
         met
+    }
+
+    /// Whether a box that is met is taken for missed.
+    fn loses(&self, bounds: &Aabb) -> bool {
+        let ray = self.tree.ray;
+        let stands = || ray.direction.to_array().contains(&0.0);
+        let begins_inside = || {
+            let all = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+            let enters = slab::clip(bounds, ray, all).map(|inside| inside.min);
+            enters.is_some_and(|t| t <= self.tree.within.min)
+        };
+        self.how.loses_parallel && stands() || self.how.only_from_outside && begins_inside()
     }
 
     /// Whether a triangle is hit.
@@ -383,6 +462,9 @@ impl Search<'_> {
             within.min = 0.0;
         }
         let hit = (Facet { corners, id }).hit(self.tree.ray, within);
+        let n = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
+        let is_front = n.dot(*self.tree.ray.direction) < 0.0;
+        let hit = hit.filter(|_| is_front || !self.how.culls);
         self.found.tests += u32::from(hit.is_some() || !self.how.counts_hits);
         if let Some(hit) = &hit {
             if self.how.shortens {

@@ -66,16 +66,6 @@ pub const ALTERNATIVES: &[Alternative] = &[
     },
     Alternative {
         exercise: "poisson_disk",
-        method: "darts, with the distance over the edges too",
-        answer: |q| {
-            darts(q, 2000, |p, other| {
-                let apart = (p - other).abs();
-                apart.min(1.0 - apart).length()
-            })
-        },
-    },
-    Alternative {
-        exercise: "poisson_disk",
         method: "all places of a fine raster in random order, each a little moved",
         answer: |q| {
             let (distance, mut rng) = (q.number(), MinimalStandard::new(q));

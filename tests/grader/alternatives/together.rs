@@ -4,6 +4,9 @@ mod biases;
 
 use super::{Alternative, STYLES, alternatives, line};
 use biases::{BIASES, Bias};
+use raybook::inside::Space;
+use raybook::math::pcg;
+use raybook::sample::pattern::poisson_disk::poisson_disk;
 use raybook_common::snapshot;
 use raybook_grader::Verdict;
 use raybook_grader::cases;
@@ -15,6 +18,7 @@ use raybook_workbook::row;
 use rayon::prelude::*;
 use std::convert::Infallible;
 use std::fmt::Write;
+use std::iter;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::sync::{LazyLock, Mutex, MutexGuard};
 
@@ -142,6 +146,24 @@ fn programs_that_are_right_by_another_method_are_right_together() {
         let mean = asked.into_inner() as f64 / programs.into_inner() as f64;
         println!("{exercise}: {mean} further questions on average");
         assert!(mean < 200.0, "{exercise}: {mean}");
+    }
+}
+
+#[test]
+fn who_keeps_the_distance_over_the_edges_too_is_told_that_nothing_is_repeated() {
+    let of = EXERCISES.iter().position(|name| *name == "poisson_disk");
+    for student in &ASKED[of.expect("it is judged together")] {
+        let (verdict, _) = locked(student).together(|(question, _)| {
+            let rng = &mut pcg::stream(405, question[1] as u64);
+            let points = poisson_disk(question[0] as f32, Space::Torus, rng);
+            let numbers = points.iter().flat_map(|p| p.as_dvec2().to_array());
+            iter::once(points.len() as f64).chain(numbers).collect()
+        });
+        let why = verdict.expect_err("the square is repeated nowhere");
+        assert!(
+            why.contains("nothing is repeated beyond its edges"),
+            "{why}"
+        );
     }
 }
 

@@ -1,7 +1,7 @@
 //! `camera_ray`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch01_rays::{CameraRay, CameraRayAnswer};
@@ -148,6 +148,73 @@ impl Graded for CameraRay {
                     let half = 0.5 * q.plane / q.focal_length;
                     let turned = (2.0 * (q.film - 0.5) * half.map(f32::atan)).map(f32::tan);
                     q.film = 0.5 + 0.5 * turned / half;
+                })
+            },
+        },
+        Mistake {
+            name: "turns the direction from the world into the camera, not from the camera into the world",
+            hint: "Your three numbers right, up and forward belong to three vectors of the world: are these the rows or the columns of your matrix?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::right(q);
+                let axes = [*q.right, *q.up, -*q.forward];
+                let [x, y, z] = axes.map(|axis| axis.dot(direction));
+                let local = vec3(x, y, z);
+                let [x, y, z] = axes.map(|axis| axis.dot(local));
+                CameraRayAnswer {
+                    origin,
+                    direction: vec3(x, y, z),
+                }
+            },
+        },
+        Mistake {
+            name: "makes `right` and `up` anew of the world's up, as if no camera could be rolled",
+            hint: "Lay the camera on its side: which of the arguments tell you so?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.right = Dir3::new_or(q.forward.cross(Vec3::Y), q.right);
+                    q.up = Dir3::new_or(q.right.cross(*q.forward), q.up);
+                })
+            },
+        },
+        Mistake {
+            name: "puts the film on a sphere round the focal point, not on a plane",
+            hint: "The focal length is the distance of the plane: how far from the focal point are its corners?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let place = (q.film - 0.5) * q.plane;
+                    let square = q.focal_length * q.focal_length - place.length_squared();
+                    q.focal_length = square.max(0.0).sqrt();
+                })
+            },
+        },
+        Mistake {
+            name: "divides the plane's height by the ratio of width to height, which it has already",
+            hint: "The plane is as high as plane.y says: what is left for the ratio of the picture's sides to do?",
+            answer: |q| Self::misread(q, |q| q.plane.y *= q.plane.y / q.plane.x),
+        },
+        Mistake {
+            name: "starts in the middle of the image plane",
+            hint: "All rays of a pin-hole camera pass through one point: which?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = CameraRay::right(q);
+                CameraRayAnswer {
+                    origin: origin + q.focal_length * *q.forward,
+                    direction,
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the place on the plane by the focal length, where it should divide by it",
+            hint: "Move the image plane further away: should the view get wider or narrower?",
+            answer: |q| Self::misread(q, |q| q.focal_length = q.focal_length.recip()),
+        },
+        Mistake {
+            name: "takes half of the angle of view for its tangent",
+            hint: "Half of the plane's width over the focal length is a tangent: what is left for an arc tangent to do?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    let half = 0.5 * q.plane / q.focal_length;
+                    q.plane = 2.0 * q.focal_length * half.map(f32::atan);
                 })
             },
         },

@@ -58,5 +58,18 @@ impl Graded for RayAt {
             hint: "A direction already says from where to where: is there anything to subtract from it?",
             answer: |q| q.ray.origin + q.t * (*q.ray.direction - q.ray.origin),
         },
+        Mistake {
+            name: "goes t metres towards the direction, which it takes for a second point",
+            hint: "A direction already says from where to where: is there anything to subtract from it?",
+            answer: |q| {
+                let way = *q.ray.direction - q.ray.origin;
+                q.ray.origin + q.t * way.normalize_or_zero()
+            },
+        },
+        Mistake {
+            name: "normalises the sum of origin and direction, and multiplies that by t",
+            hint: "From which point is t measured: from the ray's origin, or from the world's?",
+            answer: |q| q.t * (q.ray.origin + *q.ray.direction).normalize_or_zero(),
+        },
     ];
 }

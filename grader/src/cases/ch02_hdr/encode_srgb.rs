@@ -120,6 +120,43 @@ impl Graded for EncodeSrgb {
                 }
             },
         },
+        Mistake {
+            name: "uses the curve of Rec. 709, television's, in place of sRGB's",
+            hint: "4.5, 1.099 and 0.45 belong to another standard with the same primaries: which numbers does the task name?",
+            answer: |q| {
+                let v = q.v.clamp(0.0, 1.0);
+                if v < 0.018 {
+                    4.5 * v
+                } else {
+                    1.099 * v.powf(0.45) - 0.099
+                }
+            },
+        },
+        Mistake {
+            name: "uses a pure power, a gamma of 2.4, in place of sRGB's curve",
+            hint: "The exponent is that of the formula; what else stands in it, and what is the curve near black?",
+            answer: |q| q.v.clamp(0.0, 1.0).powf(1.0 / 2.4),
+        },
+        Mistake {
+            name: "takes the square root, a gamma of 2, in place of sRGB's curve",
+            hint: "The root comes close, and is not the standard: which two pieces has sRGB's curve?",
+            answer: |q| q.v.clamp(0.0, 1.0).sqrt(),
+        },
+        Mistake {
+            name: "does not clamp values above 1",
+            hint: "What is the code value of something brighter than white?",
+            answer: |q| curve(q.v.max(0.0), 0.003_130_8, 1.0 / 2.4, 0.055),
+        },
+        Mistake {
+            name: "does not clamp values below 0",
+            hint: "What is the code value of something below black?",
+            answer: |q| curve(q.v.min(1.0), 0.003_130_8, 1.0 / 2.4, 0.055),
+        },
+        Mistake {
+            name: "rounds to steps of 1/255",
+            hint: "A file has 256 code values: is the rounding to one of them asked for here?",
+            answer: |q| (255.0 * EncodeSrgb::right(q)).round() / 255.0,
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

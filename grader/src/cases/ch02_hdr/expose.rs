@@ -79,5 +79,21 @@ impl Graded for Expose {
             hint: "One stop more is twice the light; it is the aperture's diameter that grows by √2: by what factor does one stop change the light?",
             answer: |q| q.radiance * (0.5 * q.stops).exp2(),
         },
+        Mistake {
+            name: "returns 1 − e^(−v) of each exposed channel v, which is a tone mapping",
+            hint: "One stop more is twice the light, however bright it is: where does a curve come in?",
+            answer: |q| q.radiance.map(|v| 1.0 - (-v * q.stops.exp2()).exp()),
+        },
+        Mistake {
+            name: "multiplies by 1 plus the number of stops, and for less light divides by it",
+            hint: "Two stops more: how many times as bright is the picture? And three?",
+            answer: |q| {
+                if q.stops >= 0.0 {
+                    q.radiance * (1.0 + q.stops)
+                } else {
+                    q.radiance / (1.0 - q.stops)
+                }
+            },
+        },
     ];
 }

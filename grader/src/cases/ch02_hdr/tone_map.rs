@@ -72,10 +72,7 @@ impl Graded for ToneMap {
         Mistake {
             name: "takes the weights of Rec. 601 for the luminance",
             hint: "0.299, 0.587 and 0.114 are the weights of old television: which weights belong to the primaries of sRGB?",
-            answer: |q| {
-                q.radiance
-                    / (1.0 + (0.299 * q.radiance.r + 0.587 * q.radiance.g + 0.114 * q.radiance.b))
-            },
+            answer: |q| weighted(q, [0.299, 0.587, 0.114]),
         },
         Mistake {
             name: "takes the largest channel for the luminance",
@@ -114,6 +111,78 @@ impl Graded for ToneMap {
             hint: "A luminance L becomes L/(1 + L): where does another constant in your formula come from?",
             answer: |q| to_white(q, 2.0),
         },
+        Mistake {
+            name: "takes the weights of Rec. 2020 for the luminance",
+            hint: "0.2627, 0.678 and 0.0593 belong to the primaries of television in ultra-high definition: which weights belong to those of sRGB?",
+            answer: |q| weighted(q, [0.2627, 0.678, 0.0593]),
+        },
+        Mistake {
+            name: "exchanges the weights of red and blue in the luminance",
+            hint: "Which looks brighter to the eye: a pure red, or a pure blue?",
+            answer: |q| weighted(q, [0.0722, 0.7152, 0.2126]),
+        },
+        Mistake {
+            name: "takes the mean of the largest and the smallest channel for the luminance",
+            hint: "Does blue count as much as green, and does the channel in the middle not count?",
+            answer: |q| {
+                let channels = q.radiance.channels().into_iter();
+                let least = channels.fold(f32::INFINITY, f32::min);
+                q.radiance / (1.0 + 0.5 * (q.radiance.max_channel() + least))
+            },
+        },
+        Mistake {
+            name: "clamps the mapped channels to 1",
+            hint: "It is the luminance that stays below 1: may a single channel exceed it, and what becomes of the colour if you cut it off?",
+            answer: |q| ToneMap::right(q).map(|v| v.min(1.0)),
+        },
+        Mistake {
+            name: "uses a film's curve, that of ACES, for each channel",
+            hint: "2.51, 2.43 and 0.59: where do these numbers come from, and which curve does the task name?",
+            answer: |q| {
+                q.radiance
+                    .map(|v| v * (2.51 * v + 0.03) / (v * (2.43 * v + 0.59) + 0.14))
+            },
+        },
+        Mistake {
+            name: "multiplies by a key of 0.18 first",
+            hint: "In Reinhard's paper the key makes the picture brighter or darker before it is mapped: does the task ask for that?",
+            answer: |q| Self::misread(q, |q| q.radiance = q.radiance * 0.18),
+        },
+        Mistake {
+            name: "leaves colours alone whose luminance is at most 1",
+            hint: "Gray 1 becomes 1/2: and which gray becomes 1?",
+            answer: |q| {
+                // White has the luminance 1 but for rounding.
+                if q.radiance.luminance() < 1.0001 {
+                    q.radiance
+                } else {
+                    ToneMap::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "mixes the mapping of the luminance with that of each channel",
+            hint: "Tone map the orange (4, 2, 0): is there still twice as much red as green?",
+            answer: |q| {
+                let l = q.radiance.luminance();
+                q.radiance.map(|v| {
+                    let alone = v / (1.0 + v);
+                    (1.0 - alone) * v / (1.0 + l) + alone * alone
+                })
+            },
+        },
+        Mistake {
+            name: "makes the luminance 1/(1 + L)",
+            hint: "A dark colour should stay dark: what does 1/(1 + L) make of L = 0?",
+            answer: |q| {
+                let l = q.radiance.luminance();
+                if l > 0.0 {
+                    q.radiance * (1.0 / (1.0 + l) / l)
+                } else {
+                    Rgb::BLACK
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -133,6 +202,11 @@ impl Graded for ToneMap {
         },
         colour: |_, mapped| *mapped,
     }];
+}
+
+/// Divides by 1 plus a luminance with other weights of red, green and blue.
+fn weighted(q: &ToneMap, [r, g, b]: [f32; 3]) -> Rgb {
+    q.radiance / (1.0 + r * q.radiance.r + g * q.radiance.g + b * q.radiance.b)
 }
 
 /// Reinhard's other formula, which makes 1 of the luminance `white`: L (1 + L/white²)/(1 + L).

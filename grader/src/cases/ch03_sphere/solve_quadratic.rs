@@ -208,6 +208,91 @@ impl Graded for SolveQuadratic {
                 right.map(|t| if q.a < 0.0 { vec2(t.y, t.x) } else { t })
             },
         },
+        Mistake {
+            name: "returns the root of the smaller absolute value first",
+            hint: "Which is the smaller one of −5 and 2?",
+            answer: |q| {
+                SolveQuadratic::right(q).map(|t| {
+                    if t.y.abs() < t.x.abs() {
+                        vec2(t.y, t.x)
+                    } else {
+                        t
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "solves b·t + c = 0 where a is 0",
+            hint: "Where a is 0, how many roots are there: a pair?",
+            answer: |q| {
+                if q.a == 0.0 && q.b != 0.0 {
+                    Some(Vec2::splat(-q.c / q.b))
+                } else {
+                    SolveQuadratic::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes 0 for a negative discriminant",
+            hint: "What does a negative discriminant say about the parabola?",
+            answer: |q| {
+                let vertex = || (q.a != 0.0).then(|| Vec2::splat(-q.b / (2.0 * q.a)));
+                SolveQuadratic::right(q).or_else(vertex)
+            },
+        },
+        Mistake {
+            name: "divides only the square root by 2a, and not −b",
+            hint: "What does your language calculate first in −b − √…/(2a)? Put parentheses round the difference.",
+            answer: |q| {
+                roots(q, |q, root| {
+                    let half = root / (2.0 * q.a);
+                    vec2(-q.b - half, -q.b + half)
+                })
+                .map(sorted)
+            },
+        },
+        Mistake {
+            name: "takes c for the product of both roots, which is c/a",
+            hint: "Multiply a·(t − t0)·(t − t1) out: what stands where c stands?",
+            answer: |q| stable(q, 1.0, q.a),
+        },
+        Mistake {
+            name: "halves b in all places, and still takes 4ac under the root",
+            hint: "Put b = 2h into the formula: what is left of the 4 in 4ac when the 2 has been cancelled?",
+            answer: |q| Self::misread(q, |q| q.c *= 4.0),
+        },
+        Mistake {
+            name: "halves b under the root and divides by a, but does not halve −b",
+            hint: "Put b = 2h into the formula and cancel the 2: what becomes of −b?",
+            answer: |q| {
+                roots(q, |q, root| {
+                    vec2((-q.b - 0.5 * root) / q.a, (-q.b + 0.5 * root) / q.a)
+                })
+                .map(sorted)
+            },
+        },
+        Mistake {
+            name: "returns none where both roots are negative, as if they were distances",
+            hint: "A negative root is a root: who decides here whether a distance counts?",
+            answer: |q| SolveQuadratic::right(q).filter(|t| t.y >= 0.0),
+        },
+        Mistake {
+            name: "takes b/a for the sum of both roots, which is −b/a",
+            hint: "Multiply a·(t − t0)·(t − t1) out: what stands where b stands?",
+            answer: |q| {
+                SolveQuadratic::right(q).map(|t| {
+                    let first = if t.x.abs() > t.y.abs() { t.x } else { t.y };
+                    sorted(vec2(first, q.b / q.a - first))
+                })
+            },
+        },
+        Mistake {
+            name: "returns the middle of both roots and half of their distance",
+            hint: "Which two numbers are asked for? Put yours back into the equation.",
+            answer: |q| {
+                SolveQuadratic::right(q).map(|t| vec2(0.5 * (t.x + t.y), 0.5 * (t.y - t.x)))
+            },
+        },
     ];
 }
 

@@ -287,6 +287,88 @@ impl Graded for SphereHit {
                     .min_by(|a, b| a.abs().total_cmp(&b.abs()))
             },
         },
+        Mistake {
+            name: "takes the radius for half of the chord",
+            hint: "Is the chord of a ray that passes beside the centre as long as that of a ray through it?",
+            answer: |q| {
+                let roots = both(q)?;
+                let middle = 0.5 * (roots.x + roots.y);
+                [middle - q.radius, middle + q.radius]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
+            name: "returns the origin's distance from the surface, not the distance along the ray",
+            hint: "The nearest point of the sphere need not lie on the ray: where does the ray meet it?",
+            answer: |q| {
+                q.right()
+                    .map(|_| (q.ray.origin.distance(q.center) - q.radius).abs())
+            },
+        },
+        Mistake {
+            name: "takes the ray's origin for the middle of the chord where the centre is behind it",
+            hint: "Stand inside the sphere with your back to its centre: where is the middle of the chord on the whole line?",
+            answer: |q| {
+                let way = q.center - q.ray.origin;
+                let foot = way.dot(*q.ray.direction).max(0.0);
+                let beside = way - foot * *q.ray.direction;
+                let square = q.radius * q.radius - beside.length_squared();
+                let half = (square >= 0.0).then(|| square.sqrt())?;
+                [foot - half, foot + half]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
+            name: "calls a sphere a miss whose middle of the chord lies beyond the interval's end",
+            hint: "The ray enters the sphere before it reaches the middle of the chord: may the interval end between the two?",
+            answer: |q| q.right().filter(|_| foot(q) <= q.within.max),
+        },
+        Mistake {
+            name: "returns the interval's beginning where that lies inside the sphere",
+            hint: "Is a sphere solid here, or a surface: where is the next point of the surface?",
+            answer: |q| {
+                let is_inside = q.ray.at(q.within.min).distance(q.center) < q.radius;
+                if is_inside {
+                    Some(q.within.min)
+                } else {
+                    q.right()
+                }
+            },
+        },
+        Mistake {
+            name: "forgets to square the centre's distance from the ray",
+            hint: "Check the units: what do you subtract from a squared length?",
+            answer: |q| {
+                let way = q.center - q.ray.origin;
+                let foot = way.dot(*q.ray.direction);
+                let square = q.radius * q.radius - (way - foot * *q.ray.direction).length();
+                let half = (square >= 0.0).then(|| square.sqrt())?;
+                [foot - half, foot + half]
+                    .into_iter()
+                    .find(|t| q.within.contains(*t))
+            },
+        },
+        Mistake {
+            name: "calls a sphere a miss that the ray nearly touches",
+            hint: "How small must the number under the root be, for there to be no root?",
+            answer: |q| {
+                let roots = both(q)?;
+                let half = 0.5 * (roots.y - roots.x);
+                q.right().filter(|_| half * half > 1e-3)
+            },
+        },
+        Mistake {
+            name: "calls a sphere a miss whose middle of the chord lies before the interval's beginning",
+            hint: "The ray leaves the sphere behind the middle of the chord: may the interval begin between the two?",
+            answer: |q| q.right().filter(|_| foot(q) >= q.within.min),
+        },
+        Mistake {
+            name: "calls a sphere a miss whose middle of the chord is not in the interval",
+            hint: "The ends of the chord lie before and behind its middle: may one of them be in the interval without the middle?",
+            answer: |q| q.right().filter(|_| q.within.contains(foot(q))),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -308,11 +390,15 @@ impl Graded for SphereHit {
     }];
 }
 
+/// The distance at which the whole line is nearest to the centre: the middle of the chord.
+fn foot(q: &SphereHit) -> f32 {
+    (q.center - q.ray.origin).dot(*q.ray.direction)
+}
+
 /// Both distances at which the whole line meets the sphere.
 fn both(q: &SphereHit) -> Option<Vec2> {
     let near = SphereHit::misread(q, |q| q.within = sample::LINE)?;
-    let middle = (q.center - q.ray.origin).dot(*q.ray.direction);
-    Some(vec2(near, 2.0 * middle - near))
+    Some(vec2(near, 2.0 * foot(q) - near))
 }
 
 /// The root that is picked, if it counts.

@@ -67,5 +67,31 @@ impl Graded for SphereNormal {
                 if n.dot(q.p) < 0.0 { -n } else { n }
             },
         },
+        Mistake {
+            name: "divides the point only by the radius, as p/r − c",
+            hint: "What does your language calculate first in p/r − c? Put parentheses round a difference.",
+            answer: |q| q.p / q.radius - q.center,
+        },
+        Mistake {
+            name: "normalises the point and the centre, and then subtracts them",
+            hint: "Which vector must have the length 1: the point, the centre, or the way between them?",
+            answer: |q| q.p.normalize_or_zero() - q.center.normalize_or_zero(),
+        },
+        Mistake {
+            name: "turns the normal toward the world's origin",
+            hint: "Move the sphere, and not the world's origin: does the side change that is outside?",
+            answer: |q| {
+                let n = Self::right(q);
+                if n.dot(q.p) > 0.0 { -n } else { n }
+            },
+        },
+        Mistake {
+            name: "turns every normal up",
+            hint: "Where does the normal point at the bottom of a ball?",
+            answer: |q| {
+                let n = Self::right(q);
+                if n.y < 0.0 { -n } else { n }
+            },
+        },
     ];
 }

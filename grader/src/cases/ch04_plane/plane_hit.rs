@@ -108,6 +108,44 @@ impl Graded for PlaneHit {
             hint: "From where is t measured: from the ray's origin, or from the world's?",
             answer: |q| PlaneHit::right(q).map(|t| q.ray.at(t).length()),
         },
+        Mistake {
+            name: "sees the back only",
+            hint: "What is the sign of n·d for a ray that comes from the side to which the normal points?",
+            answer: |q| PlaneHit::right(q).filter(|_| q.normal.dot(*q.ray.direction) > 0.0),
+        },
+        Mistake {
+            name: "takes (offset, offset, offset) for a point of the plane",
+            hint: "Which point of the plane is nearest to the world's origin, and in which direction does it lie?",
+            answer: |q| Self::misread(q, |q| q.offset *= q.normal.element_sum()),
+        },
+        Mistake {
+            name: "counts a ray that runs in the plane as a hit at 0",
+            hint: "A ray in the plane meets all of its points, or none: does the task give such a ray a distance?",
+            answer: |q| {
+                let runs_in_it =
+                    q.normal.dot(*q.ray.direction) == 0.0 && q.normal.dot(q.ray.origin) == q.offset;
+                if runs_in_it {
+                    Some(0.0)
+                } else {
+                    PlaneHit::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "divides n·d by the height, and not the height by n·d",
+            hint: "Check the units: metres over what give metres?",
+            answer: |q| line(q).map(f32::recip).filter(|t| q.within.contains(*t)),
+        },
+        Mistake {
+            name: "divides by the sine of the angle between ray and normal, not by its cosine",
+            hint: "A ray along the normal goes the shortest way: what is the angle between the two, and what is its sine?",
+            answer: |q| {
+                let cosine = q.normal.dot(*q.ray.direction);
+                let sine = (1.0 - cosine * cosine).max(0.0).sqrt().copysign(cosine);
+                let t = (q.offset - q.normal.dot(q.ray.origin)) / sine;
+                (cosine != 0.0 && sine != 0.0 && q.within.contains(t)).then_some(t)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -227,6 +227,118 @@ impl Graded for BoundsOf {
                 right
             },
         },
+        Mistake {
+            name: "looks for a new least coordinate only if there was no new greatest one (else if)",
+            hint: "Bound a single point: which of your two conditions does it meet, and which should it?",
+            answer: |q| {
+                let empty = bounds([].into_iter());
+                q.points
+                    .iter()
+                    .fold(empty, |Corners { min, max }, p| Corners {
+                        min: Vec3::select(p.cmpgt(max), min, min.min(*p)),
+                        max: max.max(*p),
+                    })
+            },
+        },
+        Mistake {
+            name: "moves one side of the box at most for each point (a chain of else if)",
+            hint: "A point may lie outside along x and along y: how many of your conditions does it meet, and how many sides do you move?",
+            answer: |q| {
+                let Some(&first) = q.points.first() else {
+                    return BoundsOf::right(q);
+                };
+                let (mut min, mut max) = (first, first);
+                for p in &q.points {
+                    for axis in 0..3 {
+                        let (is_below, is_above) = (p[axis] < min[axis], p[axis] > max[axis]);
+                        if is_below {
+                            min[axis] = p[axis];
+                        }
+                        if is_above {
+                            max[axis] = p[axis];
+                        }
+                        if is_below || is_above {
+                            break;
+                        }
+                    }
+                }
+                Corners { min, max }
+            },
+        },
+        Mistake {
+            name: "ends at the first point that is inside already",
+            hint: "A point inside changes nothing: does the next one?",
+            answer: |q| {
+                let Corners { mut min, mut max } = bounds([].into_iter());
+                for p in &q.points {
+                    if p.cmpge(min).all() && p.cmple(max).all() {
+                        break;
+                    }
+                    (min, max) = (min.min(*p), max.max(*p));
+                }
+                Corners { min, max }
+            },
+        },
+        Mistake {
+            name: "starts the least corner at 0",
+            hint: "Try points whose coordinates are all positive; what is your box's min before the first point?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::right(q);
+                Corners {
+                    min: min.min(Vec3::ZERO),
+                    max,
+                }
+            },
+        },
+        Mistake {
+            name: "makes a flat box thicker, so that each side is at least 0.0001 long",
+            hint: "What is the smallest box that holds a single point: how thick is it?",
+            answer: |q| {
+                let Corners { min, max } = BoundsOf::right(q);
+                let pad = (max - min).map(|extent| {
+                    if (0.0..1e-4).contains(&extent) {
+                        5e-5
+                    } else {
+                        0.0
+                    }
+                });
+                Corners {
+                    min: min - pad,
+                    max: max + pad,
+                }
+            },
+        },
+        Mistake {
+            name: "takes the points nearest to and farthest from the world's origin for the corners",
+            hint: "Must a corner of the box be one of the points? And does the box change if all of them are moved?",
+            answer: |q| {
+                let by_distance = |a: &&Vec3, b: &&Vec3| a.length().total_cmp(&b.length());
+                let points = q.points.iter();
+                match (
+                    points.clone().min_by(by_distance),
+                    points.max_by(by_distance),
+                ) {
+                    (Some(&min), Some(&max)) => Corners { min, max },
+                    _ => BoundsOf::right(q),
+                }
+            },
+        },
+        Mistake {
+            name: "returns the box of a sphere round the mean of the points",
+            hint: "Each side of the smallest box touches a point: does each of yours?",
+            answer: |q| {
+                if q.points.is_empty() {
+                    return BoundsOf::right(q);
+                }
+                let middle = q.points.iter().sum::<Vec3>() / q.points.len() as f32;
+                let farthest = |most: f32, p: &Vec3| most.max(p.distance(middle));
+                let radius = q.points.iter().fold(0.0, farthest);
+                Corners {
+                    min: middle - radius,
+                    max: middle + radius,
+                }
+            },
+        },
     ];
 }
 

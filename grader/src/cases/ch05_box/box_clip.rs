@@ -164,19 +164,11 @@ impl Graded for BoxClip {
             name: "keeps the union of the slabs and the interval, not their overlap",
             hint: "To be inside the box, the ray must be inside all three slabs and in the interval at once: is that the earliest entry or the latest?",
             answer: |q| {
-                let slabs: Vec<_> = (0..3)
-                    .filter(|&axis| q.ray.direction[axis] != 0.0)
-                    .map(|axis| slab(q, axis))
-                    .collect();
-                let beside = |axis: usize| {
-                    let o = q.ray.origin[axis];
-                    q.ray.direction[axis] == 0.0 && !(q.min[axis]..=q.max[axis]).contains(&o)
-                };
-                if (0..3).any(beside) {
-                    return None;
-                }
-                let min = slabs.iter().fold(q.within.min, |min, slab| min.min(slab.0));
-                let max = slabs.iter().fold(q.within.max, |max, slab| max.max(slab.1));
+                let slabs = crossed(q)?.into_iter();
+                let (min, max) = slabs.fold(
+                    (q.within.min, q.within.max),
+                    |(min, max), (_, (near, far))| (min.min(near), max.max(far)),
+                );
                 finish(min, max)
             },
         },
@@ -197,6 +189,74 @@ impl Graded for BoxClip {
             name: "gives up a box that lies behind the ray's origin",
             hint: "An interval may begin before 0: is what lies behind the origin in it?",
             answer: |q| Self::right(q).filter(|part| part.max >= 0.0),
+        },
+        Mistake {
+            name: "returns the exit twice where the interval begins inside the box",
+            hint: "Put the origin inside the box: on which part of the ray is it inside?",
+            answer: |q| {
+                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
+                Self::right(q).map(|part| {
+                    if whole.min < q.within.min {
+                        Interval::new(part.max, part.max)
+                    } else {
+                        part
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "takes 0 for 1/0, and so has both planes of a parallel slab at the distance 0",
+            hint: "A ray that is parallel to a slab never meets its planes: how far away should they be?",
+            answer: |q| {
+                let order = |a: f32, b: f32, d: f32| {
+                    if d == 0.0 {
+                        (0.0, 0.0)
+                    } else {
+                        (a.min(b), a.max(b))
+                    }
+                };
+                slabs(q, order, |min, max| min <= max)
+            },
+        },
+        Mistake {
+            name: "decides by the sign of the direction's x which plane comes first along all axes",
+            hint: "A ray may go to the right and down: which plane of each axis does it meet first?",
+            answer: |q| {
+                let d = q.ray.direction;
+                let turned = |(axis, (near, far)): (usize, (f32, f32))| {
+                    if (d[axis] < 0.0) == (d.x < 0.0) {
+                        (near, far)
+                    } else {
+                        (far, near)
+                    }
+                };
+                overlap(q, crossed(q)?.into_iter().map(turned))
+            },
+        },
+        Mistake {
+            name: "takes the greatest corner for the box's size, and adds it to the least",
+            hint: "Which planes has the box along x: those of its two corners, or others?",
+            answer: |q| {
+                let wider = BoxClip {
+                    max: q.min + q.max,
+                    ..q.clone()
+                };
+                let sorted = |(_, (a, b)): (usize, (f32, f32))| (a.min(b), a.max(b));
+                overlap(q, crossed(&wider)?.into_iter().map(sorted))
+            },
+        },
+        Mistake {
+            name: "wants the box's whole chord in the interval",
+            hint: "You are asked for a part of the interval: what if the interval begins or ends inside the box?",
+            answer: |q| {
+                let whole = Self::misread(q, |q| q.within = sample::LINE);
+                whole.filter(|part| part.min >= q.within.min && part.max <= q.within.max)
+            },
+        },
+        Mistake {
+            name: "misses what the ray is inside of for less than a millimetre",
+            hint: "How long must the part be to count? The ray may pass just beside an edge.",
+            answer: |q| BoxClip::right(q).filter(|part| part.max - part.min >= 1e-3),
         },
     ];
 
@@ -272,18 +332,30 @@ fn finish(min: f32, max: f32) -> Option<Interval> {
     (max - min >= 0.0).then_some(Interval { min, max })
 }
 
+/// The axes along which the ray moves, each with where the whole line enters and leaves its slab; nothing for a ray outside of a slab that it
+/// runs along.
+fn crossed(q: &BoxClip) -> Option<Vec<(usize, (f32, f32))>> {
+    let is_beside = |axis: usize| {
+        let slab = q.min[axis]..=q.max[axis];
+        q.ray.direction[axis] == 0.0 && !slab.contains(&q.ray.origin[axis])
+    };
+    let moves = |axis: &usize| q.ray.direction[*axis] != 0.0;
+    let slabs = (0..3).filter(moves).map(|axis| (axis, slab(q, axis)));
+    (!(0..3).any(is_beside)).then(|| slabs.collect())
+}
+
+/// What is in the interval and in all of these parts of the line.
+fn overlap(q: &BoxClip, parts: impl Iterator<Item = (f32, f32)>) -> Option<Interval> {
+    let (min, max) = parts.fold((q.within.min, q.within.max), |(min, max), (near, far)| {
+        (min.max(near), max.min(far))
+    });
+    finish(min, max)
+}
+
 /// The part in the last slab, where the part in each slab overlaps the one before.
 fn of_last_axis(q: &BoxClip) -> Option<Interval> {
     let mut last = (q.within.min, q.within.max);
-    for axis in 0..3 {
-        let o = q.ray.origin[axis];
-        if q.ray.direction[axis] == 0.0 {
-            if !(q.min[axis]..=q.max[axis]).contains(&o) {
-                return None;
-            }
-            continue;
-        }
-        let (near, far) = slab(q, axis);
+    for (_, (near, far)) in crossed(q)? {
         if far < last.0 || near > last.1 {
             return None;
         }

@@ -160,6 +160,88 @@ impl Graded for TriangleHit {
                 })
             },
         },
+        Mistake {
+            name: "finds the weights in the shadow along z, and misses a triangle that is seen on edge from there",
+            hint: "Stand the triangle upright: how large is its shadow on the xy plane? Which axis would make the largest shadow?",
+            answer: |q| TriangleHit::right(q).filter(|_| normal(q).z != 0.0),
+        },
+        Mistake {
+            name: "takes areas without a sign for the weights",
+            hint: "The length of a cross product is never negative: what tells you on which side of an edge a point is?",
+            answer: |q| {
+                plane(q, |b1, b2| b1.abs() + b2.abs() <= 1.0).map(|hit| TriangleHitAnswer {
+                    b1: hit.b1.abs(),
+                    b2: hit.b2.abs(),
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "moves weights below 0 to 0 and weights above 1 to 1, instead of missing",
+            hint: "What does a negative weight say about the point: may it be mended?",
+            answer: |q| {
+                plane(q, |_, _| true).map(|hit| TriangleHitAnswer {
+                    b1: hit.b1.clamp(0.0, 1.0),
+                    b2: hit.b2.clamp(0.0, 1.0),
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out a margin along the edges, where a weight is small",
+            hint: "How small may a weight be for a point inside the triangle?",
+            answer: |q| {
+                TriangleHit::right(q)
+                    .filter(|hit| hit.b1.min(hit.b2).min(1.0 - hit.b1 - hit.b2) > 1e-3)
+            },
+        },
+        Mistake {
+            name: "accepts points a little beyond the edges",
+            hint: "How far below 0 may a weight be, and how far beyond the edge is that?",
+            answer: |q| plane(q, |b1, b2| b1.min(b2).min(1.0 - b1 - b2) >= -1e-3),
+        },
+        Mistake {
+            name: "returns the origin's distance from the plane, not the distance along the ray",
+            hint: "Does a slanted ray go as far to the plane as a ray along the normal?",
+            answer: |q| {
+                let height = normal(q).normalize_or_zero().dot(q.p0 - q.ray.origin).abs();
+                TriangleHit::right(q).map(|hit| TriangleHitAnswer { t: height, ..hit })
+            },
+        },
+        Mistake {
+            name: "finds the weights in the shadow along y, and misses a triangle that is seen on edge from there",
+            hint: "Stand the triangle upright: how large is its shadow on the floor? Which axis would make the largest shadow?",
+            answer: |q| TriangleHit::right(q).filter(|_| normal(q).y != 0.0),
+        },
+        Mistake {
+            name: "finds the weights in the shadow along x, and misses a triangle that is seen on edge from there",
+            hint: "Lay the triangle on the floor: how large is its shadow on the yz plane? Which axis would make the largest shadow?",
+            answer: |q| TriangleHit::right(q).filter(|_| normal(q).x != 0.0),
+        },
+        Mistake {
+            name: "asks whether the point is in the triangle's bounding box, not in the triangle",
+            hint: "The plane and the box are hit: how much of the part of the plane in the box does the triangle fill?",
+            answer: |q| {
+                let (min, max) = (q.p0.min(q.p1).min(q.p2), q.p0.max(q.p1).max(q.p2));
+                plane(q, |_, _| true).filter(|hit| {
+                    let p = q.ray.at(hit.t);
+                    p.cmpge(min - 1e-5).all() && p.cmple(max + 1e-5).all()
+                })
+            },
+        },
+        Mistake {
+            name: "makes the weights half as large",
+            hint: "Which weights has the second corner itself, and which has it in your program?",
+            answer: |q| {
+                plane(q, |b1, b2| b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 2.0).map(|hit| {
+                    TriangleHitAnswer {
+                        b1: 0.5 * hit.b1,
+                        b2: 0.5 * hit.b2,
+                        ..hit
+                    }
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -78,5 +78,31 @@ impl Graded for TriangleNormal {
             hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
             answer: |q| TriangleNormal::right(q).map(|n| if n.dot(q.p0) > 0.0 { -n } else { n }),
         },
+        Mistake {
+            name: "normalises the edges, and not their cross product",
+            hint: "How long is the cross product of two unit vectors that are not perpendicular?",
+            answer: |q| {
+                let [e1, e2] = [q.p1 - q.p0, q.p2 - q.p0].map(Vec3::normalize_or_zero);
+                TriangleNormal::right(q).map(|_| e1.cross(e2))
+            },
+        },
+        Mistake {
+            name: "crosses the first corner and the second, not two edges",
+            hint: "Move the triangle by one metre: the normal must not change. Where does your third corner come in?",
+            answer: |q| Dir3::new(q.p0.cross(q.p1)).map(|n| *n),
+        },
+        Mistake {
+            name: "always points towards +z",
+            hint: "It is the order of the corners that decides which side is outside, not the world, nor a camera.",
+            answer: |q| TriangleNormal::right(q).map(|n| if n.z < 0.0 { -n } else { n }),
+        },
+        Mistake {
+            name: "asks only for corners at the same place, not for three on a line",
+            hint: "Three different corners on a line: how long is the cross product, and what happens when you divide by that?",
+            answer: |q| {
+                let have_met = q.p0 == q.p1 || q.p1 == q.p2 || q.p2 == q.p0;
+                (!have_met).then(|| TriangleNormal::right(q).unwrap_or(Vec3::NAN))
+            },
+        },
     ];
 }

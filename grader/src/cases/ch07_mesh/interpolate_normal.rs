@@ -82,6 +82,55 @@ impl Graded for InterpolateNormal {
             hint: "On the side opposite to the first corner b1 + b2 is 1: which weight should the first corner have there?",
             answer: |q| mix(q, (1.0 - q.b.x) * (1.0 - q.b.y), q.b.x, q.b.y).normalize_or_zero(),
         },
+        Mistake {
+            name: "forgets n0 in n0 + b1·(n1 − n0) + b2·(n2 − n0)",
+            hint: "At b1 = b2 = 0, what do you return? From which normal do both ways begin?",
+            answer: |q| mix(q, -q.b.x - q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+        },
+        Mistake {
+            name: "goes by b2 from the second normal to the third, not from the first",
+            hint: "At b2 = 1, whose normal do you return?",
+            answer: |q| mix(q, 1.0 - q.b.x, q.b.x - q.b.y, q.b.y).normalize_or_zero(),
+        },
+        Mistake {
+            name: "leaves b1 out of the first corner's weight",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| mix(q, 1.0 - q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+        },
+        Mistake {
+            name: "turns the second and the third normal to the side of the first",
+            hint: "Where a mesh bends sharply, its normals point far apart: which side is outside there?",
+            answer: |q| {
+                let turned = |n: Dir3| if n.dot(*q.n0) < 0.0 { -n } else { n };
+                Self::misread(q, |q| (q.n1, q.n2) = (turned(q.n1), turned(q.n2)))
+            },
+        },
+        Mistake {
+            name: "crosses the differences of the normals, as if they were corners",
+            hint: "The normal of a flat triangle is made of its edges: have you been given any?",
+            answer: |q| (*q.n1 - *q.n0).cross(*q.n2 - *q.n0).normalize_or_zero(),
+        },
+        Mistake {
+            name: "normalises after the first two normals, and once more after the third",
+            hint: "Is the weight of the third normal still right, once the sum of the other two has been made longer?",
+            answer: |q| {
+                let first = q.n0.lerp(*q.n1, q.b.x).normalize_or_zero();
+                (first + q.b.y * (*q.n2 - *q.n0)).normalize_or_zero()
+            },
+        },
+        Mistake {
+            name: "turns evenly from the first normal to the second by b1, and from there to the third by b2 (slerp)",
+            hint: "At b1 = b2 = ½ the point lies half way between the second corner and the third: what of the first normal is in yours?",
+            answer: |q| {
+                let first = q.n0.slerp(*q.n1, q.b.x);
+                first.slerp(*q.n2, q.b.y).normalize_or_zero()
+            },
+        },
+        Mistake {
+            name: "takes 1 − b1·b2 for the first corner's weight",
+            hint: "The three weights add up to 1: do yours at the second corner?",
+            answer: |q| mix(q, 1.0 - q.b.x * q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+        },
     ];
 }
 

@@ -97,5 +97,53 @@ impl Graded for InterpolateTexture {
             hint: "Three corners, each with both coordinates: where does the third corner come in?",
             answer: |q| q.t0 + q.b * (q.t1 - q.t0),
         },
+        Mistake {
+            name: "forgets t0 in t0 + b1·(t1 − t0) + b2·(t2 − t0)",
+            hint: "At b1 = b2 = 0, what do you return? From which corner do both ways begin?",
+            answer: |q| InterpolateTexture::right(q) - q.t0,
+        },
+        Mistake {
+            name: "goes by b2 from the second corner to the third, not from the first",
+            hint: "At b2 = 1, whose coordinates do you return?",
+            answer: |q| q.t0 + q.b.x * (q.t1 - q.t0) + q.b.y * (q.t2 - q.t1),
+        },
+        Mistake {
+            name: "leaves b1 out of the first corner's weight",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| (1.0 - q.b.y) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
+        Mistake {
+            name: "blends the first two corners by b1, and the result with the third by b2",
+            hint: "At b1 = b2 = ½ the point lies half way between the second corner and the third: which weights have your three corners there?",
+            answer: |q| q.t0.lerp(q.t1, q.b.x).lerp(q.t2, q.b.y),
+        },
+        Mistake {
+            name: "takes (1 − b1)(1 − b2) for the first corner's weight, as on a square",
+            hint: "On the side opposite to the first corner b1 + b2 is 1: which weight should the first corner have there?",
+            answer: |q| (1.0 - q.b.x) * (1.0 - q.b.y) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
+        Mistake {
+            name: "takes a square's weights for all three corners, and leaves out its fourth",
+            hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
+            answer: |q| {
+                let rest = 1.0 - q.b;
+                rest.x * rest.y * q.t0 + q.b.x * rest.y * q.t1 + rest.x * q.b.y * q.t2
+            },
+        },
+        Mistake {
+            name: "clamps the coordinates to the range from 0 to 1",
+            hint: "A texture may repeat, or end: is that decided here, or where the texture is looked up?",
+            answer: |q| InterpolateTexture::right(q).clamp(Vec2::ZERO, Vec2::ONE),
+        },
+        Mistake {
+            name: "keeps only what is behind the decimal point, with its sign",
+            hint: "A texture may repeat: is that decided here, or where the texture is looked up?",
+            answer: |q| InterpolateTexture::right(q).fract(),
+        },
+        Mistake {
+            name: "takes 1 − b1·b2 for the first corner's weight",
+            hint: "The three weights add up to 1: do yours at the second corner?",
+            answer: |q| (1.0 - q.b.x * q.b.y) * q.t0 + q.b.x * q.t1 + q.b.y * q.t2,
+        },
     ];
 }

@@ -187,22 +187,114 @@ impl Graded for MeshHit {
         Mistake {
             name: "sees the front of each triangle only",
             hint: "Walk around a triangle: it has two sides.",
-            answer: |q| {
-                let is_front = |hit: &MeshHitAnswer| {
-                    let Corners { p0, p1, p2 } = q.triangles[hit.id as usize];
-                    (p1 - p0).cross(p2 - p0).dot(*q.ray.direction) < 0.0
-                };
-                let fronts = hits(q).filter(is_front);
-                fronts.min_by(|a, b| a.t.total_cmp(&b.t))
-            },
+            answer: |q| facing(q, -1.0),
         },
         Mistake {
             name: "takes the triangles in the order of their first corners' distances, and returns the first that is hit",
             hint: "A large triangle may have its first corner far away: how near may its nearest point be?",
+            answer: |q| first_by(q, |corners| corners.p0),
+        },
+        Mistake {
+            name: "compares each hit with the one before, not with the nearest so far",
+            hint: "Three hits, at 2, 5 and 3 metres: which one do you return?",
             answer: |q| {
-                let first = |hit: &MeshHitAnswer| q.triangles[hit.id as usize].p0;
-                let far = |hit: &MeshHitAnswer| first(hit).distance(q.ray.origin);
-                hits(q).min_by(|a, b| far(a).total_cmp(&far(b)))
+                let mut nearest: Option<MeshHitAnswer> = None;
+                let mut before = f32::INFINITY;
+                for hit in hits(q) {
+                    let t = hit.t;
+                    if t < before {
+                        nearest = Some(hit);
+                    }
+                    before = t;
+                }
+                nearest
+            },
+        },
+        Mistake {
+            name: "ends at the first hit that is farther than the one before",
+            hint: "Three hits, at 3, 5 and 2 metres: when does your loop end?",
+            answer: |q| {
+                let mut least = f32::INFINITY;
+                let nearer = |hit: &MeshHitAnswer| {
+                    let is_nearer = hit.t <= least;
+                    least = hit.t;
+                    is_nearer
+                };
+                hits(q).take_while(nearer).last()
+            },
+        },
+        Mistake {
+            name: "wants a hit to be nearer by more than a millimetre than the nearest so far",
+            hint: "Of two triangles half a millimetre apart, which one is seen?",
+            answer: |q| {
+                hits(q).reduce(|nearest, hit| {
+                    if hit.t < nearest.t - 1e-3 {
+                        hit
+                    } else {
+                        nearest
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "returns the number of the nearest triangle with the distance of the last that is hit",
+            hint: "When a triangle is hit that is not nearer, what must not change?",
+            answer: |q| {
+                let last = hits(q).last()?;
+                MeshHit::right(q).map(|nearest| MeshHitAnswer {
+                    t: last.t,
+                    ..nearest
+                })
+            },
+        },
+        Mistake {
+            name: "hits the whole plane of each triangle",
+            hint: "The plane is found; is the point inside the triangle?",
+            answer: |q| {
+                let planes = q
+                    .triangles
+                    .iter()
+                    .zip(0..)
+                    .map(|(Corners { p0, p1, p2 }, id)| {
+                        let n = (*p1 - *p0).cross(*p2 - *p0);
+                        let t = n.dot(*p0 - q.ray.origin) / n.dot(*q.ray.direction);
+                        MeshHitAnswer { t, id }
+                    });
+                let hits = planes.filter(|hit| q.within.contains(hit.t));
+                hits.min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
+        Mistake {
+            name: "takes the triangles in the order of their middles' distances, and returns the first that is hit",
+            hint: "A large triangle may have its middle far away: how near may its nearest point be?",
+            answer: |q| first_by(q, |Corners { p0, p1, p2 }| (*p0 + *p1 + *p2) / 3.0),
+        },
+        Mistake {
+            name: "sees the back of each triangle only",
+            hint: "What is the sign of your determinant for the side that you look at?",
+            answer: |q| facing(q, 1.0),
+        },
+        Mistake {
+            name: "returns the number of the nearest triangle with the distance of the first that is hit",
+            hint: "When a nearer triangle is hit, which two things change?",
+            answer: |q| {
+                let first = hits(q).next()?;
+                MeshHit::right(q).map(|nearest| MeshHitAnswer {
+                    t: first.t,
+                    ..nearest
+                })
+            },
+        },
+        Mistake {
+            name: "skips every triangle whose first corner is behind the origin",
+            hint: "A large triangle may begin behind the origin: where does the ray meet it?",
+            answer: |q| {
+                let is_ahead = |hit: &MeshHitAnswer| {
+                    let way = q.triangles[hit.id as usize].p0 - q.ray.origin;
+                    way.dot(*q.ray.direction) >= 0.0
+                };
+                let ahead = hits(q).filter(is_ahead);
+                ahead.min_by(|a, b| a.t.total_cmp(&b.t))
             },
         },
     ];
@@ -251,6 +343,22 @@ fn hits(q: &MeshHit) -> impl Iterator<Item = MeshHitAnswer> {
         };
         MeshHit::right(&alone).map(|hit| MeshHitAnswer { id, ..hit })
     })
+}
+
+/// The nearest of the hits on one side of the triangles: the front, of −1, or the back, of 1.
+fn facing(q: &MeshHit, side: f32) -> Option<MeshHitAnswer> {
+    let is_seen = |hit: &MeshHitAnswer| {
+        let Corners { p0, p1, p2 } = q.triangles[hit.id as usize];
+        side * (p1 - p0).cross(p2 - p0).dot(*q.ray.direction) > 0.0
+    };
+    let seen = hits(q).filter(is_seen);
+    seen.min_by(|a, b| a.t.total_cmp(&b.t))
+}
+
+/// The first hit, if the triangles are taken in the order of the distances of a point of each.
+fn first_by(q: &MeshHit, point: fn(&Corners) -> Vec3) -> Option<MeshHitAnswer> {
+    let far = |hit: &MeshHitAnswer| point(&q.triangles[hit.id as usize]).distance(q.ray.origin);
+    hits(q).min_by(|a, b| far(a).total_cmp(&far(b)))
 }
 
 /// The least of the hits from `min` on by an order, if it is in the interval.

@@ -157,18 +157,13 @@ impl Graded for VertexNormals {
             name: "keeps the first triangle's normal only",
             hint: "A vertex belongs to several triangles: do you add to its sum, or leave it as soon as it has something?",
             answer: |q| {
-                let mut normals = vec![Vec3::ZERO; q.positions.len()];
-                for (corners, twice_area) in faces(q, Vec3::cross) {
-                    for i in corners {
-                        if normals[i] == Vec3::ZERO {
-                            normals[i] = twice_area;
-                        }
+                running(q, |first, twice_area| {
+                    if first == Vec3::ZERO {
+                        twice_area
+                    } else {
+                        first
                     }
-                }
-                normals
-                    .into_iter()
-                    .map(|n| n.normalize_or(Vec3::Y))
-                    .collect()
+                })
             },
         },
         Mistake {
@@ -243,34 +238,20 @@ impl Graded for VertexNormals {
             name: "turns each triangle's normal to the side of the sum before it is added",
             hint: "The order of the corners says on which side of a triangle the outside is: may its normal be turned?",
             answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for (corners, twice_area) in faces(q, Vec3::cross) {
-                    for i in corners {
-                        let is_behind = twice_area.dot(sums[i]) < 0.0;
-                        sums[i] += if is_behind { -twice_area } else { twice_area };
-                    }
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
+                running(q, |sum, twice_area| {
+                    let is_behind = twice_area.dot(sum) < 0.0;
+                    sum + if is_behind { -twice_area } else { twice_area }
+                })
             },
         },
         Mistake {
             name: "weighs by the angle at the vertex, not by the area",
             hint: "That is another average, a good one too: by what does the task weigh the triangles?",
             answer: |q| {
-                let mut sums = vec![Vec3::ZERO; q.positions.len()];
-                for (corners, twice_area) in faces(q, Vec3::cross) {
-                    for k in 0..3 {
-                        let [at, next, last] = [0, 1, 2].map(|i| q.positions[corners[(k + i) % 3]]);
-                        let (e1, e2) = (next - at, last - at);
-                        let angle = e1.cross(e2).length().atan2(e1.dot(e2));
-                        sums[corners[k]] += angle * twice_area.normalize_or_zero();
-                    }
-                }
-                sums.into_iter()
-                    .map(|sum| sum.normalize_or(Vec3::Y))
-                    .collect()
+                by_edges(q, |e1, e2| {
+                    let across = e1.cross(e2);
+                    across.length().atan2(e1.dot(e2)) * across.normalize_or_zero()
+                })
             },
         },
         Mistake {
@@ -287,6 +268,138 @@ impl Graded for VertexNormals {
                     }
                 })
                 .collect()
+            },
+        },
+        Mistake {
+            name: "normalises the sum after each triangle",
+            hint: "The sum must remember how large the triangles before were: what is left of that once it has the length 1?",
+            answer: |q| running(q, |sum, twice_area| (sum + twice_area).normalize_or_zero()),
+        },
+        Mistake {
+            name: "takes the mean of what it has so far and each further triangle",
+            hint: "Of three triangles, which share has the first one in your mean, and which the last?",
+            answer: |q| {
+                running(q, |sum, twice_area| {
+                    if sum == Vec3::ZERO {
+                        twice_area
+                    } else {
+                        0.5 * (sum + twice_area)
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "normalises the edges before the cross product, and so weighs by the sine of an angle",
+            hint: "How long is the cross product of two unit vectors, and how large is the triangle?",
+            answer: |q| {
+                normals(q, |e1, e2| {
+                    e1.normalize_or_zero().cross(e2.normalize_or_zero())
+                })
+            },
+        },
+        Mistake {
+            name: "weighs by the square root of the area",
+            hint: "Of which length is the area the square, and does the task weigh by that?",
+            answer: |q| {
+                normals(q, |e1, e2| {
+                    let across = e1.cross(e2);
+                    across.normalize_or_zero() * across.length().sqrt()
+                })
+            },
+        },
+        Mistake {
+            name: "weighs by the sine of the angle at the vertex over the lengths of both edges, as Max does",
+            hint: "That is another average, a good one on a sphere: by what does the task weigh the triangles?",
+            answer: |q| {
+                by_edges(q, |e1, e2| {
+                    e1.cross(e2)
+                        / (e1.length_squared() * e2.length_squared()).max(f32::MIN_POSITIVE)
+                })
+            },
+        },
+        Mistake {
+            name: "takes a small sum for zero",
+            hint: "How long is the cross product of two edges of half a millimetre?",
+            answer: |q| {
+                let sums = sums(q, Vec3::cross).into_iter();
+                let normal = |sum: Vec3| if sum.length() > 1e-6 { sum } else { Vec3::Y };
+                sums.map(|sum| normal(sum).normalize()).collect()
+            },
+        },
+        Mistake {
+            name: "crosses the second corner and the third of each triangle, not two edges",
+            hint: "Move the mesh by one metre: the normals must not change.",
+            answer: |q| {
+                let mut sums = vec![Vec3::ZERO; q.positions.len()];
+                for (corners, _) in faces(q, Vec3::cross) {
+                    let [_, p1, p2] = corners.map(|i| q.positions[i]);
+                    for i in corners {
+                        sums[i] += p1.cross(p2);
+                    }
+                }
+                directions(sums)
+            },
+        },
+        Mistake {
+            name: "takes three vertices in a row for each triangle, whatever its numbers say",
+            hint: "A vertex may belong to several triangles: which vertices has the second triangle of the list?",
+            answer: |q| {
+                let rows = 0..q.positions.len() as u32 / 3;
+                let in_a_row = |i: u32| Indices {
+                    a: 3 * i,
+                    b: 3 * i + 1,
+                    c: 3 * i + 2,
+                };
+                Self::misread(q, |q| q.triangles = rows.map(in_a_row).collect())
+            },
+        },
+        Mistake {
+            name: "takes the direction from the middle of all vertices to the vertex",
+            hint: "That is right on a sphere: does it look at the triangles at all?",
+            answer: |q| {
+                let middle = q.positions.iter().sum::<Vec3>() / q.positions.len().max(1) as f32;
+                directions(q.positions.iter().map(|p| *p - middle))
+            },
+        },
+        Mistake {
+            name: "ends at the first triangle without area",
+            hint: "A triangle without area adds nothing: do those after it?",
+            answer: |q| {
+                let area = |t: &&Indices| {
+                    let [p0, p1, p2] = [t.a, t.b, t.c].map(|i| q.positions[i as usize]);
+                    (p1 - p0).cross(p2 - p0) != Vec3::ZERO
+                };
+                let until = q.triangles.iter().take_while(area).cloned().collect();
+                Self::misread(q, |q| q.triangles = until)
+            },
+        },
+        Mistake {
+            name: "turns each triangle's normal up before it is added",
+            hint: "It is the order of the corners that decides which side is outside, not the world.",
+            answer: |q| {
+                normals(q, |e1, e2| {
+                    let across = e1.cross(e2);
+                    if across.y < 0.0 { -across } else { across }
+                })
+            },
+        },
+        Mistake {
+            name: "gives every vertex the first triangle's normal",
+            hint: "Which triangles have this vertex as a corner?",
+            answer: |q| {
+                let first = faces(q, Vec3::cross).next();
+                let normal = first.map_or(Vec3::Y, |(_, n)| n.normalize_or(Vec3::Y));
+                vec![normal; q.positions.len()]
+            },
+        },
+        Mistake {
+            name: "weighs by the length of all three sides together",
+            hint: "Stretch a triangle until it is a thin splinter: what becomes of its area, and what of its sides?",
+            answer: |q| {
+                normals(q, |e1, e2| {
+                    let sides = e1.length() + e2.length() + e1.distance(e2);
+                    sides * e1.cross(e2).normalize_or_zero()
+                })
             },
         },
     ];
@@ -323,14 +436,38 @@ fn by_corner(q: &VertexNormals, weights: [f32; 3]) -> Vec<Vec3> {
             sums[corner] += weight * twice_area;
         }
     }
-    sums.into_iter()
-        .map(|sum| sum.normalize_or(Vec3::Y))
-        .collect()
+    directions(sums)
+}
+
+/// The normals, if what a vertex has so far and each of its triangles' vectors are brought together in another way than by a sum.
+fn running(q: &VertexNormals, together: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+    let mut so_far = vec![Vec3::ZERO; q.positions.len()];
+    for (corners, twice_area) in faces(q, Vec3::cross) {
+        for i in corners {
+            so_far[i] = together(so_far[i], twice_area);
+        }
+    }
+    directions(so_far)
+}
+
+/// The normals, if each triangle adds to a corner a vector that is made of the two edges at this corner.
+fn by_edges(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
+    let mut sums = vec![Vec3::ZERO; q.positions.len()];
+    for (corners, _) in faces(q, Vec3::cross) {
+        for k in 0..3 {
+            let [at, next, last] = [0, 1, 2].map(|i| q.positions[corners[(k + i) % 3]]);
+            sums[corners[k]] += vector(next - at, last - at);
+        }
+    }
+    directions(sums)
+}
+
+/// The directions of vectors, and +y where a vector is zero.
+fn directions(vectors: impl IntoIterator<Item = Vec3>) -> Vec<Vec3> {
+    let vectors = vectors.into_iter();
+    vectors.map(|v| v.normalize_or(Vec3::Y)).collect()
 }
 
 pub(super) fn normals(q: &VertexNormals, vector: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
-    sums(q, vector)
-        .into_iter()
-        .map(|sum| sum.normalize_or(Vec3::Y))
-        .collect()
+    directions(sums(q, vector))
 }

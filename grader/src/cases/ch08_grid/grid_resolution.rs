@@ -199,7 +199,7 @@ impl Graded for GridResolution {
             name: "leaves thin axes out once, and does not ask again",
             hint: "With fewer axes the cells are larger: may another axis now get less than one?",
             answer: |q| {
-                let thick = thicker(q, extended(q));
+                let thick = at_least(along(q, extended(q)), 1.0) * extended(q);
                 whole(along(q, thick) * thick)
             },
         },
@@ -215,6 +215,84 @@ impl Graded for GridResolution {
             name: "cuts every axis into ∛(λN) cells, but for an axis of extent 0",
             hint: "Should a long side be cut into as many pieces as a short one?",
             answer: |q| whole(extended(q) * cells(q).cbrt()),
+        },
+        Mistake {
+            name: "leaves out an axis only if it gets less than half a cell",
+            hint: "An axis would get 0.7 of a cell: is that a cell or more, and how many cells share the other axes then?",
+            answer: |q| {
+                let thick = thick_from(q, 0.5);
+                whole(along(q, thick) * thick)
+            },
+        },
+        Mistake {
+            name: "leaves out an axis that is shorter than a metre, not shorter than a cell",
+            hint: "How long is a cell, where there are a thousand of them in a box of a cubic metre?",
+            answer: |q| {
+                let thick = at_least(q.extents, 1.0);
+                whole(along(q, thick) * thick)
+            },
+        },
+        Mistake {
+            name: "takes x · y for the area, whichever two axes are left",
+            hint: "A wall that is thin along x: which two of its extents make its area?",
+            answer: |q| {
+                if thick(q) == Vec3::ONE {
+                    return Self::right(q);
+                }
+                let (two, area) = (two_longest(q), q.extents.x * q.extents.y);
+                let along = q.extents * (cells(q) / area).sqrt();
+                if area > 0.0 && at_least(along, 1.0) * two == two {
+                    whole(along * two)
+                } else {
+                    all_along_the_longest(q)
+                }
+            },
+        },
+        Mistake {
+            name: "shares the cells among two axes at the least, even if one of them gets less than a cell",
+            hint: "Of a box that is long along one axis only, all cells are in one row: how many of its axes are left out?",
+            answer: |q| {
+                if thick(q).element_sum() > 1.0 {
+                    return Self::right(q);
+                }
+                let two = two_longest(q);
+                if product(q, two) > 0.0 {
+                    whole(along(q, two) * two)
+                } else {
+                    whole(Vec3::ONE)
+                }
+            },
+        },
+        Mistake {
+            name: "raises to the power of 0, as if 1/3 and 1/2 were quotients of whole numbers",
+            hint: "What does your language make of 1/3, and what is any number to this power?",
+            answer: |q| {
+                let thick = at_least(q.extents, 1.0);
+                if thick.element_sum() > 1.0 && q.shapes > 0 {
+                    whole(q.extents * thick)
+                } else {
+                    all_along_the_longest(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes 3 ∛N cells along the longest axis, and at most 64, by the rule of another grid",
+            hint: "Which rule does the task give, and what of it is in your formula: the density, the volume?",
+            answer: |q| {
+                let longest = q.extents.max_element().max(f32::MIN_POSITIVE);
+                let along = q.extents * (3.0 * (q.shapes as f32).cbrt() / longest);
+                whole(along.min(Vec3::splat(64.0)))
+            },
+        },
+        Mistake {
+            name: "never cuts an axis into more than 128 cells",
+            hint: "Does the task limit the number of cells along an axis?",
+            answer: |q| limited(q, 128),
+        },
+        Mistake {
+            name: "never cuts an axis into more than 64 cells",
+            hint: "Does the task limit the number of cells along an axis?",
+            answer: |q| limited(q, 64),
         },
     ];
 }
@@ -251,9 +329,14 @@ fn share(q: &GridResolution) -> Vec3 {
 
 /// 1 for each axis that is cut, and 0 for one that is left out.
 fn thick(q: &GridResolution) -> Vec3 {
+    thick_from(q, 1.0)
+}
+
+/// The same, if an axis is left out that gets less than `least` cells.
+fn thick_from(q: &GridResolution, least: f32) -> Vec3 {
     let mut thick = extended(q);
     loop {
-        let fewer = thicker(q, thick);
+        let fewer = at_least(along(q, thick), least) * thick;
         if fewer == thick {
             return thick;
         }
@@ -266,10 +349,35 @@ fn extended(q: &GridResolution) -> Vec3 {
     Vec3::from([0, 1, 2].map(|i| f32::from(u8::from(q.extents[i] > 0.0))))
 }
 
-/// Those of some axes that get a cell or more, if they share all cells.
-fn thicker(q: &GridResolution, thick: Vec3) -> Vec3 {
-    let along = along(q, thick);
-    Vec3::from([0, 1, 2].map(|i| if along[i] >= 1.0 { thick[i] } else { 0.0 }))
+/// 1 for each axis along which a number is not less than the least, and 0 for the others.
+fn at_least(along: Vec3, least: f32) -> Vec3 {
+    along.map(|n| f32::from(u8::from(n >= least)))
+}
+
+/// 0 for the thinnest axis, and 1 for the other two.
+fn two_longest(q: &GridResolution) -> Vec3 {
+    let mut two = Vec3::ONE;
+    two[q.extents.min_position()] = 0.0;
+    two
+}
+
+/// All cells in a row; one cell for a point.
+fn all_along_the_longest(q: &GridResolution) -> Cell {
+    let mut along = Vec3::ONE;
+    if q.extents != Vec3::ZERO {
+        along[q.extents.max_position()] = cells(q);
+    }
+    whole(along)
+}
+
+/// The right answer with at most this number of cells along an axis.
+fn limited(q: &GridResolution, most: u32) -> Cell {
+    let Cell { x, y, z } = GridResolution::right(q);
+    Cell {
+        x: x.min(most),
+        y: y.min(most),
+        z: z.min(most),
+    }
 }
 
 /// The cells along each axis, if some of them share all cells.

@@ -3,7 +3,7 @@
 mod walks;
 
 use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use glam::{Vec3, uvec3, vec3};
+use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
@@ -77,16 +77,10 @@ impl Graded for GridWalk {
         }
     }
 
-    /// Without the cells that the ray only touches.
-    fn canonical(q: &GridWalk, visits: Vec<Visit>) -> Vec<Visit> {
-        let mut enter = start(q);
-        let mut kept = visits;
-        kept.retain(|visit| {
-            let touched = (visit.leave - enter).abs() <= touch(q);
-            enter = visit.leave;
-            !touched || is_there(q, visit).is_err()
-        });
-        kept
+    /// Without the cells that the ray only touches, whatever distances are given.
+    fn canonical(q: &GridWalk, mut visits: Vec<Visit>) -> Vec<Visit> {
+        visits.retain(|visit| !is_only_touched(q, visit.cell()));
+        visits
     }
 
     const POSITIVE: &'static [&'static str] = &["cell"];
@@ -419,6 +413,61 @@ impl Graded for GridWalk {
                 visits
             },
         },
+        Mistake {
+            name: "compares x with y and y with z, but never x with z",
+            hint: "The next planes are at 3 along x, at 4 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| {
+                student(q, start, in_front, |[x, y, z]| {
+                    let axis = if x < y {
+                        0
+                    } else if y < z {
+                        1
+                    } else {
+                        2
+                    };
+                    vec![axis]
+                })
+            },
+        },
+        Mistake {
+            name: "begins one cell behind the last one where the ray enters through a face at the far end of an axis",
+            hint: "A ray enters through the last of a lattice's faces along x: which number does your division give, and which is that of the last cell?",
+            answer: |q| {
+                let high = q.lattice().bounds().max;
+                let at = q.ray.at(start(q));
+                let is_last = |axis: usize| (at[axis] - high[axis]).abs() <= touch(q);
+                if start(q) > q.within.min && (0..3).any(is_last) {
+                    Vec::new()
+                } else {
+                    GridWalk::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes the lattice to begin at the origin where the number of the first cell is calculated",
+            hint: "The lattice begins at x = 2, and its cells are 1 m wide: in which one is the ray at x = 3.5?",
+            answer: |q| {
+                let corner = |_: &GridWalk| Vec3::ZERO;
+                added(q, &Adding { corner, ..ADDING })
+            },
+        },
+        Mistake {
+            name: "leaves out the cell in which the interval ends",
+            hint: "The interval ends before the next plane: is the cell listed before your loop ends?",
+            answer: |q| {
+                let mut visits = GridWalk::right(q);
+                visits.retain(|visit| visit.leave < q.within.max);
+                visits
+            },
+        },
+        Mistake {
+            name: "adds the way to the next plane before it writes down the distance",
+            hint: "Along the axis that is crossed: is your distance that of this plane, or of the one behind it?",
+            answer: |q| {
+                let is_late = true;
+                added(q, &Adding { is_late, ..ADDING })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -473,6 +522,17 @@ fn is_there(q: &GridWalk, visit: &Visit) -> Verdict {
 /// A ray that is no longer than this in a cell only touches it.
 fn touch(q: &GridWalk) -> f32 {
     1e-3 * q.cell.min_element()
+}
+
+/// Whether the ray meets a cell of the lattice within the interval, and only touches it.
+fn is_only_touched(q: &GridWalk, cell: UVec3) -> bool {
+    let lattice = q.lattice();
+    if cell.cmpge(lattice.resolution).any() {
+        return false;
+    }
+    let bounds = lattice.bounds_of(cell, cell).grown(0.1 * touch(q));
+    let stay = slab::clip(&bounds, &q.ray, q.within);
+    stay.is_some_and(|stay| stay.max - stay.min <= touch(q))
 }
 
 /// The visits without those of cells that the ray only touches, as in an edge or a corner: in which order these come,

@@ -5,6 +5,7 @@ use glam::{UVec3, Vec3, uvec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::{self, range, triangle_meets_box};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, slab};
+use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
 impl Graded for VoxelsOfTriangle {
@@ -287,6 +288,33 @@ impl Graded for VoxelsOfTriangle {
                 })
             },
         },
+        Mistake {
+            name: "takes the margin for a part of a cell's extents, not for metres",
+            hint: "In which unit is the margin, and what is it multiplied by before it is added to a cell's half extents?",
+            answer: |q| with_margins(q, q.cell),
+        },
+        Mistake {
+            name: "adds up the normal's components with their signs for a box's reach along the normal",
+            hint: "A normal of −1, 0, 0: how far does a box reach along it, and can that be less than 0?",
+            answer: |q| {
+                of_lattice(q, |bounds, corners| {
+                    let [p0, p1, p2] = corners;
+                    let (bounds, n) = (bounds.grown(q.margin), (p1 - p0).cross(p2 - p0));
+                    let reach = n.dot(0.5 * bounds.size());
+                    let is_near = n.dot(bounds.center() - p0).abs() <= reach;
+                    is_near && triangle_meets_box(&corners, &bounds)
+                })
+            },
+        },
+        Mistake {
+            name: "takes only the cells that the triangle cuts through an edge",
+            hint: "A small triangle lies inside a cell, or pokes through one of its faces: which of the cell's edges does it cut?",
+            answer: |q| {
+                of_lattice(q, |bounds, corners| {
+                    cuts_an_edge(&bounds.grown(q.margin), corners)
+                })
+            },
+        },
     ];
 }
 
@@ -318,6 +346,24 @@ fn of_lattice(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> V
 fn plane_cuts(bounds: &Aabb, [p0, p1, p2]: [Vec3; 3]) -> bool {
     let n = (p1 - p0).cross(p2 - p0);
     n.dot(bounds.center() - p0).abs() <= n.abs().dot(0.5 * bounds.size())
+}
+
+/// Whether a triangle is met by one of the twelve edges of a box.
+fn cuts_an_edge(bounds: &Aabb, corners: [Vec3; 3]) -> bool {
+    let triangle = Facet { corners, id: 0 };
+    let is_cut = |axis: usize, corner: u32| {
+        let mut from = bounds.min;
+        for across in 1..3 {
+            if corner >> (across - 1) & 1 == 1 {
+                let across = (axis + across) % 3;
+                from[across] = bounds.max[across];
+            }
+        }
+        let within = Interval::new(0.0, bounds.size()[axis]);
+        let edge = sample::ray(from, Vec3::AXES[axis]);
+        triangle.hit(&edge, within).is_some()
+    };
+    (0..3).any(|axis| (0..4).any(|corner| is_cut(axis, corner)))
 }
 
 /// The cells of the lattice that meet the triangle if each is moved along every axis by its size there times `by`.

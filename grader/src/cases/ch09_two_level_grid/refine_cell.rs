@@ -343,23 +343,10 @@ impl Graded for RefineCell {
             hint: "How long is a fine cell, if four of them lie between x = 2 and x = 3?",
             answer: |q| {
                 let right = RefineCell::right(q);
-                let n = Vec3::new(right.nx as f32, right.ny as f32, right.nz as f32);
-                let size = q.max / n;
-                let last = n - 1.0;
-                let number = |corner: Vec3| ((corner - q.min) / size).floor();
-                let mut entries = Vec::new();
-                for (shape, corners) in (0..).zip(&q.shapes) {
-                    let (a, b) = (number(corners.min), number(corners.max));
-                    let (low, high) = (a.max(Vec3::ZERO), b.min(last));
-                    if low.cmpgt(high).any() || !(low + high).is_finite() {
-                        continue;
-                    }
-                    for cell in range(low.as_uvec3(), high.as_uvec3()) {
-                        let UVec3 { x, y, z } = cell;
-                        entries.push(Entry { x, y, z, shape });
-                    }
-                }
-                RefineCellAnswer { entries, ..right }
+                let n = resolution(&right);
+                with_numbers(right, q, q.max / n, |begin, end, last| {
+                    (begin.floor().max(Vec3::ZERO), end.floor().min(last))
+                })
             },
         },
         Mistake {
@@ -377,12 +364,89 @@ impl Graded for RefineCell {
             hint: "A shape reaches from cell 1 to cell 3: how often does your loop go round?",
             answer: |q| without_last(q, [true; 3], Last::UnlessAlone),
         },
+        Mistake {
+            name: "counts only the shapes whose middles are in the cell",
+            hint: "A shape whose middle is in the next coarse cell reaches into this one: is it one of this cell's shapes?",
+            answer: |q| {
+                let bounds = Aabb::new(q.min, q.max);
+                let inside = q
+                    .shapes
+                    .iter()
+                    .filter(|shape| bounds.contains(middle(shape).min));
+                match inside.count() {
+                    0 => cut(q, UVec3::ZERO),
+                    count => cut_for(q, q.max - q.min, count, 255),
+                }
+            },
+        },
+        Mistake {
+            name: "cuts every axis into equally many fine cells",
+            hint: "A cell is twice as long as it is wide, and its fine cells are about cubes: are there as many along both sides?",
+            answer: |q| cut_for(q, Vec3::ONE, q.shapes.len(), 255),
+        },
+        Mistake {
+            name: "keeps a resolution in a byte without a limit, so that 256 becomes 0 again",
+            hint: "What becomes of 400 in a byte, and what does the task want instead?",
+            answer: |q| cut_by(q, q.max - q.min, q.shapes.len(), |n| n & UVec3::splat(255)),
+        },
+        Mistake {
+            name: "rounds up for the number of the last cell that a shape reaches",
+            hint: "A shape ends at 2.1 cells from the corner, where the first cell begins at 0: in which cell is that?",
+            answer: |q| {
+                with_cells(q, |begin, end, last| {
+                    (begin.floor().max(Vec3::ZERO), end.ceil().min(last))
+                })
+            },
+        },
+        Mistake {
+            name: "rounds to the nearest number of a cell",
+            hint: "A shape begins at 0.7 cells from the corner, where the first cell begins at 0: in which cell is that?",
+            answer: |q| {
+                with_cells(q, |begin, end, last| {
+                    let number = |at: Vec3| (at + 0.5).floor().clamp(Vec3::ZERO, last);
+                    (number(begin), number(end))
+                })
+            },
+        },
+        Mistake {
+            name: "counts a shape's cells by its extents, wherever in its first cell it begins",
+            hint: "A shape as long as half a cell: in how many cells is it if it begins at 0.8 cells from the corner?",
+            answer: |q| {
+                with_cells(q, |begin, end, last| {
+                    let (first, more) = (begin.floor(), (end - begin).floor());
+                    (first.max(Vec3::ZERO), (first + more).min(last))
+                })
+            },
+        },
+        Mistake {
+            name: "names a shape only in the cells of its box's eight corners",
+            hint: "A long shape reaches from cell 1 to cell 5: in which cells between is none of its corners?",
+            answer: |q| {
+                let mut answer = RefineCell::right(q);
+                let reached = reached(q, &answer);
+                answer.entries.retain(|entry| {
+                    let mut along = reached[entry.shape as usize].into_iter().zip(at(entry));
+                    along.all(|(ends, at)| ends.contains(&at))
+                });
+                answer
+            },
+        },
     ];
 }
 
 /// The answer for the resolution of a cell of these extents with `shapes` shapes, and at most `most` along each axis; the right one for
 /// an empty cell.
 fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCellAnswer {
+    cut_by(q, extents, shapes, |n| n.min(UVec3::splat(most)))
+}
+
+/// The same with another limit.
+fn cut_by(
+    q: &RefineCell,
+    extents: Vec3,
+    shapes: usize,
+    limited: impl Fn(UVec3) -> UVec3,
+) -> RefineCellAnswer {
     if q.shapes.is_empty() {
         return RefineCell::right(q);
     }
@@ -391,7 +455,7 @@ fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCel
         shapes: shapes as u32,
         density: q.density,
     });
-    cut(q, UVec3::new(x, y, z).min(UVec3::splat(most)))
+    cut(q, limited(UVec3::new(x, y, z)))
 }
 
 /// The answer for a resolution of one's own.
@@ -402,7 +466,8 @@ fn cut(q: &RefineCell, along: UVec3) -> RefineCellAnswer {
     };
     let fine = Lattice::new(&bounds, along);
     let mut entries = Vec::new();
-    for cell in fine.all() {
+    let all = (along.min_element() > 0).then(|| fine.all());
+    for cell in all.into_iter().flatten() {
         for (shape, corners) in (0..).zip(&q.shapes) {
             if depth(&fine, cell, corners) >= 0.0 {
                 entries.push(Entry {
@@ -440,10 +505,52 @@ enum Last {
     UnlessAlone,
 }
 
-/// The answer without the last cell that each shape reaches along some axes.
-fn without_last(q: &RefineCell, axes: [bool; 3], when: Last) -> RefineCellAnswer {
-    let mut answer = RefineCell::right(q);
-    let at = |entry: &Entry| [entry.x, entry.y, entry.z];
+/// The number of cells along each axis.
+fn resolution(answer: &RefineCellAnswer) -> Vec3 {
+    UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3()
+}
+
+/// The right resolution, and a rule for the numbers of the first and the last cell that a shape reaches: from where it begins and
+/// ends, in cells from the corner, and the last cell's number.
+fn with_cells(
+    q: &RefineCell,
+    numbers: impl Fn(Vec3, Vec3, Vec3) -> (Vec3, Vec3),
+) -> RefineCellAnswer {
+    let right = RefineCell::right(q);
+    let size = (q.max - q.min) / resolution(&right);
+    with_numbers(right, q, size, numbers)
+}
+
+/// The same with fine cells of this size.
+fn with_numbers(
+    right: RefineCellAnswer,
+    q: &RefineCell,
+    size: Vec3,
+    numbers: impl Fn(Vec3, Vec3, Vec3) -> (Vec3, Vec3),
+) -> RefineCellAnswer {
+    let last = resolution(&right) - 1.0;
+    let mut entries = Vec::new();
+    for (shape, corners) in (0..).zip(&q.shapes) {
+        let from_corner = |corner: Vec3| (corner - q.min) / size;
+        let (low, high) = numbers(from_corner(corners.min), from_corner(corners.max), last);
+        if low.cmpgt(high).any() || !(low + high).is_finite() {
+            continue;
+        }
+        for cell in range(low.as_uvec3(), high.as_uvec3()) {
+            let UVec3 { x, y, z } = cell;
+            entries.push(Entry { x, y, z, shape });
+        }
+    }
+    RefineCellAnswer { entries, ..right }
+}
+
+/// The cell of an entry.
+fn at(entry: &Entry) -> [u32; 3] {
+    [entry.x, entry.y, entry.z]
+}
+
+/// The first and the last cell that each shape reaches, along each axis.
+fn reached(q: &RefineCell, answer: &RefineCellAnswer) -> Vec<[[u32; 2]; 3]> {
     let mut reached = vec![[[u32::MAX, 0]; 3]; q.shapes.len()];
     for entry in &answer.entries {
         let reached = &mut reached[entry.shape as usize];
@@ -451,6 +558,13 @@ fn without_last(q: &RefineCell, axes: [bool; 3], when: Last) -> RefineCellAnswer
             (*first, *last) = (at.min(*first), at.max(*last));
         }
     }
+    reached
+}
+
+/// The answer without the last cell that each shape reaches along some axes.
+fn without_last(q: &RefineCell, axes: [bool; 3], when: Last) -> RefineCellAnswer {
+    let mut answer = RefineCell::right(q);
+    let reached = reached(q, &answer);
     answer.entries.retain(|entry| {
         let reached = reached[entry.shape as usize];
         (0..3).all(|axis| {

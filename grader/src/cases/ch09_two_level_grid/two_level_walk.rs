@@ -276,14 +276,14 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "stops at the first empty coarse cell",
             hint: "In an empty coarse cell there is nothing to visit: where does the ray go on?",
-            answer: |q| looked_up(q, [along_x, along_x], true),
+            answer: |q| looked_up(q, [along_x, along_x], AtEmpty::Ends),
         },
         Mistake {
             name: "looks up the coarse cells with y and z exchanged",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
             answer: |q| {
                 let place: Place = |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y);
-                looked_up(q, [place, along_x], false)
+                looked_up(q, [place, along_x], AtEmpty::GoesOn)
             },
         },
         Mistake {
@@ -291,7 +291,7 @@ impl Graded for TwoLevelWalk {
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with x?",
             answer: |q| {
                 let place: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
-                looked_up(q, [place, along_x], false)
+                looked_up(q, [place, along_x], AtEmpty::GoesOn)
             },
         },
         Mistake {
@@ -299,7 +299,7 @@ impl Graded for TwoLevelWalk {
             hint: "By how much does the place of a coarse cell grow with y: by the number of cells along x, or along y?",
             answer: |q| {
                 let place: Place = |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z);
-                looked_up(q, [place, along_x], false)
+                looked_up(q, [place, along_x], AtEmpty::GoesOn)
             },
         },
         Mistake {
@@ -327,7 +327,7 @@ impl Graded for TwoLevelWalk {
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
             answer: |q| {
                 let place: Place = |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z);
-                looked_up(q, [place, along_x], false)
+                looked_up(q, [place, along_x], AtEmpty::GoesOn)
             },
         },
         Mistake {
@@ -363,7 +363,54 @@ impl Graded for TwoLevelWalk {
             hint: "Both lists begin with the cells along x, then y, then z: by how much does the place grow with x?",
             answer: |q| {
                 let along_z: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
-                looked_up(q, [along_z, along_z], false)
+                looked_up(q, [along_z, along_z], AtEmpty::GoesOn)
+            },
+        },
+        Mistake {
+            name: "visits the coarse cells in the order in which they are stored",
+            hint: "A ray that runs towards −x meets the last coarse cell of a row first.",
+            answer: |q| {
+                let mut groups = by_coarse_cell(q);
+                groups.sort_by_key(|group| group.0);
+                groups.into_iter().flat_map(|group| group.2).collect()
+            },
+        },
+        Mistake {
+            name: "sorts the fine cells by the distances of their middles from the ray's origin",
+            hint: "A ray begins near the edge of a large cell: how far is it to the middle of this cell, and to that of a small one beside it?",
+            answer: |q| {
+                let cells = cells(q);
+                let far = |place: &u32| cells[*place as usize].center().distance(q.ray.origin);
+                let mut places = TwoLevelWalk::right(q);
+                places.sort_by(|a, b| far(a).total_cmp(&far(b)));
+                places
+            },
+        },
+        Mistake {
+            name: "visits an empty coarse cell as if it were one fine cell",
+            hint: "How many fine cells has an empty coarse cell, and whose place in the row do you name for it?",
+            answer: |q| looked_up(q, [along_x, along_x], AtEmpty::Visits),
+        },
+        Mistake {
+            name: "counts the fine cells of those coarse cells only that the ray has passed",
+            hint: "The row holds the fine cells of all coarse cells: do those count that the ray passes by?",
+            answer: |q| {
+                let mut before = 0;
+                let mut places = Vec::new();
+                for (first, count, own) in by_coarse_cell(q) {
+                    places.extend(own.into_iter().map(|place| place - first + before));
+                    before += count;
+                }
+                places
+            },
+        },
+        Mistake {
+            name: "takes every coarse cell to have as many fine cells as the one with the most",
+            hint: "The coarse cells are cut in different ways: how many fine cells lie before those of this one?",
+            answer: |q| {
+                let count = |cut: &Resolution| cut.nx * cut.ny * cut.nz;
+                let most = q.fine.iter().map(count).max().unwrap_or(0);
+                before_is(q, |cuts| (cuts.len() as u32 - 1) * most)
             },
         },
     ];
@@ -401,32 +448,46 @@ fn before_is(q: &TwoLevelWalk, before: impl Fn(&[UVec3]) -> u32) -> Vec<u32> {
 /// The place of a cell x, y, z of nx × ny × nz.
 type Place = fn([u32; 3], [u32; 3]) -> u32;
 
-/// The walk, if each coarse cell is looked up at another place, and fine cells have other places in it; it may end at the first empty one.
+/// What a walk does in an empty coarse cell.
+#[derive(Clone, Copy)]
+enum AtEmpty {
+    /// Goes on to the next.
+    GoesOn,
+    /// Ends.
+    Ends,
+    /// Visits the place at which its fine cells would begin.
+    Visits,
+}
+
+/// The walk, if each coarse cell is looked up at another place, and fine cells have other places in it.
 fn looked_up(
     q: &TwoLevelWalk,
     [coarse_place, fine_place]: [Place; 2],
-    ends_at_empty: bool,
+    at_empty: AtEmpty,
 ) -> Vec<u32> {
     let levels = q.levels();
     let n = levels.top.resolution;
     let mut places = Vec::new();
     walk(&levels.top, &q.ray, q.within, |coarse, inside| {
-        let cut = levels
-            .cuts
-            .get(coarse_place(coarse.into(), n.into()) as usize);
-        let Some(cut) = cut.filter(|cut| cut.resolution.x > 0) else {
-            return if ends_at_empty {
-                ControlFlow::Break(())
-            } else {
-                ControlFlow::Continue(())
-            };
+        let place = coarse_place(coarse.into(), n.into()) as usize;
+        let Some(cut) = levels.cuts.get(place) else {
+            return ControlFlow::Continue(());
         };
+        if cut.resolution.x == 0 {
+            match at_empty {
+                AtEmpty::GoesOn => {}
+                AtEmpty::Ends => return ControlFlow::Break(()),
+                AtEmpty::Visits => places.push(cut.first),
+            }
+            return ControlFlow::Continue(());
+        }
         let fine = cut.resolution.as_uvec3();
         let (begin, last) = (coarse * fine, fine - UVec3::ONE);
+        let before = places.len();
         walk(&levels.cut(fine), &q.ray, inside, |cell, _| {
             let cell = cell.clamp(begin, begin + last) - begin;
             let place = cut.first + fine_place(cell.into(), fine.into());
-            if places.last() != Some(&place) {
+            if places[before..].last() != Some(&place) {
                 places.push(place);
             }
             ControlFlow::Continue(())

@@ -1,6 +1,7 @@
 //! `octree_build`: random questions, judge and mistakes.
 
 use super::octree_tree::{cost, inner, leaf, leaves, shared, wrong_choice};
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use glam::Vec3;
 use rand::RngExt;
@@ -501,28 +502,114 @@ impl Graded for OctreeBuild {
             hint: "A cut makes twice as many names, and the next one twice as many again: how many are these, and how many did the limit allow?",
             answer: |q| with_limit(q, |copies, made| copies - (made - 1.0)),
         },
+        Mistake {
+            name: "expects a ray to meet each child with probability 1/8, not 1/4",
+            hint: "Of eight children with a shape each, how many does a ray pass through on average: does it meet only one?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| q.opening + 0.125 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "expects a ray to meet one child only, that with the most shapes",
+            hint: "How many children does a ray pass through on its way across the cell, and with what probability does it meet each?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        let most = parts.iter().map(Vec::len).max();
+                        q.opening + (most.unwrap_or(0) as f32) < n
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "counts the children that are not empty, not the shapes in them",
+            hint: "A ray enters a child with nine shapes: how many does it test there, nine or one?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        let filled = parts.iter().filter(|part| !part.is_empty());
+                        q.opening + 0.25 * (filled.count() as f32) < n
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "cuts each cell with more than one shape, as far as the limits allow",
+            hint: "Three large shapes reach all eight children: what does a ray gain by the cut? What does your condition compare?",
+            answer: |q| by(q, |rule| rule.pays = |_, n, _| n > 1.0),
+        },
+        Mistake {
+            name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell",
+            hint: "What does a ray pay in a cell of two shapes that is not cut, however many shapes the scene has?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, _, parts| q.opening + 0.25 * sum(parts) < q.shapes.len() as f32;
+                })
+            },
+        },
+        Mistake {
+            name: "takes the limit on copies for the number of names that a cut may leave",
+            hint: "The limit is one on copies of each shape: how many names may there be, if the cell has n shapes?",
+            answer: |q| by(q, |rule| rule.allowed = |copies, _| copies),
+        },
+        Mistake {
+            name: "divides what is left of the limit on copies by eight, for the eight children",
+            hint: "The limit is one on copies of each shape, on average: must a child with half of the shapes make an eighth of them?",
+            answer: |q| with_limit(q, |copies, _| copies / 8.0),
+        },
     ];
 }
 
 /// What is left of a limit on copies after a cut that makes some names of each shape.
 type Left = fn(copies: f32, made: f32) -> f32;
 
-/// The tree with another rule for what is left of the limit.
-fn with_limit(q: &OctreeBuild, left: Left) -> TreeRow {
+/// By which rule cells are cut.
+#[derive(Clone, Copy)]
+struct Rule {
+    /// Whether it pays to cut a cell with n shapes into these parts.
+    pays: fn(q: &OctreeBuild, n: f32, parts: &[Vec<u32>; 8]) -> bool,
+    /// How many names the limit on copies allows to the parts of a cell with n shapes.
+    allowed: fn(copies: f32, n: f32) -> f32,
+    left: Left,
+}
+
+/// The tree by the right rule, but for what is changed.
+fn by(q: &OctreeBuild, change: impl FnOnce(&mut Rule)) -> TreeRow {
+    let right = Rule {
+        pays: |q, n, parts| q.opening + 0.25 * sum(parts) < n,
+        allowed: |copies, n| copies * n,
+        left: |copies, made| copies / made.max(1.0),
+    };
+    let rule = changed(right, change);
     let mut tree = TreeRow {
         nodes: vec![leaf(0, 0)],
         names: Vec::new(),
     };
     let root = Aabb::new(q.min, q.max);
     let all = (0..q.shapes.len() as u32).collect();
-    fill(q, left, &mut tree, (0, &root), all, (q.depth, q.copies));
+    fill(q, &rule, &mut tree, (0, &root), all, (q.depth, q.copies));
     tree
 }
+
+/// The tree with another rule for what is left of the limit.
+fn with_limit(q: &OctreeBuild, left: Left) -> TreeRow {
+    by(q, |rule| rule.left = left)
+}
+
+/// Σ nᵢ.
+fn sum(parts: &[Vec<u32>; 8]) -> f32 {
+    parts.iter().map(Vec::len).sum::<usize>() as f32
+}
+
+/// A tree of more nodes is not cut further: a wrong rule might go on and on.
+const MOST: usize = 1 << 16;
 
 /// Builds what is below a node, of a cell with these shapes, within limits on depth and copies.
 fn fill(
     q: &OctreeBuild,
-    left: Left,
+    rule: &Rule,
     tree: &mut TreeRow,
     (node, cell): (usize, &Aabb),
     shapes: Vec<u32>,
@@ -535,9 +622,10 @@ fn fill(
         let inside = bits.iter().filter(|(_, bits)| bits >> i & 1 == 1);
         inside.map(|(shape, _)| *shape).collect()
     });
-    let before = shapes.len() as f32;
-    let after = parts.iter().map(Vec::len).sum::<usize>() as f32;
-    if depth == 0 || q.opening + 0.25 * after >= before || after > copies * before {
+    let (before, after) = (shapes.len() as f32, sum(&parts));
+    let pays = (rule.pays)(q, before, &parts);
+    let is_full = tree.nodes.len() > MOST;
+    if depth == 0 || !pays || after > (rule.allowed)(copies, before) || is_full {
         tree.nodes[node] = leaf(tree.names.len() as u32, shapes.len() as u32);
         tree.names.extend(shapes);
         return;
@@ -546,7 +634,7 @@ fn fill(
     tree.nodes[node] = inner(first as u32);
     tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
     for (i, part) in parts.into_iter().enumerate() {
-        let limits = (depth - 1, left(copies, after / before));
-        fill(q, left, tree, (first + i, &cells[i]), part, limits);
+        let limits = (depth - 1, (rule.left)(copies, after / before));
+        fill(q, rule, tree, (first + i, &cells[i]), part, limits);
     }
 }

@@ -155,6 +155,50 @@ impl Graded for OctreeChild {
             hint: "A cell reaches from y = 0 to y = 4: at which y is its middle, if the cell is 2 long along x?",
             answer: |q| bits(q.p.cmpge(q.min + 0.5 * (q.max.x - q.min.x))),
         },
+        Mistake {
+            name: "swaps x and y",
+            hint: "Which of the three coordinates is worth 1?",
+            answer: |q| {
+                let n = OctreeChild::right(q);
+                (n & 1) << 1 | (n & 2) >> 1 | n & 4
+            },
+        },
+        Mistake {
+            name: "rounds the middle down to a whole number",
+            hint: "A cell reaches from x = 0 to x = 1: where is its middle? What does your language make of 1/2?",
+            answer: |q| bits(q.p.cmpge((0.5 * (q.min + q.max)).floor())),
+        },
+        Mistake {
+            name: "takes min + max/2 for the middle, not half of the sum",
+            hint: "A cell reaches from x = 10 to x = 12: is your middle 11? Which of the two is halved?",
+            answer: |q| bits(q.p.cmpge(q.min + 0.5 * q.max)),
+        },
+        Mistake {
+            name: "numbers the four quarters of a layer in a circle",
+            hint: "Go round a layer from child 0: is the third one upper along x, along y, or along both?",
+            answer: |q| {
+                let n = OctreeChild::right(q);
+                n ^ (n >> 1 & 1)
+            },
+        },
+        Mistake {
+            name: "adds 1 for each upper half, whichever axis it is of",
+            hint: "How many children are there, and how many different sums do your numbers have?",
+            answer: |q| OctreeChild::right(q).count_ones(),
+        },
+        Mistake {
+            name: "compares x, y and z with the middle along x",
+            hint: "Your three comparisons: which of the middle's coordinates stands in each?",
+            answer: |q| bits(q.p.cmpge(Vec3::splat(0.5 * (q.min.x + q.max.x)))),
+        },
+        Mistake {
+            name: "looks at the next axis only if the point is in the lower half along those before, z first (else if)",
+            hint: "A point in the upper half along all three axes: how many of your conditions are asked?",
+            answer: |q| {
+                let n = OctreeChild::right(q);
+                n.checked_ilog2().map_or(0, |highest| 1 << highest)
+            },
+        },
     ];
 }
 

@@ -232,15 +232,7 @@ impl Graded for OctreeWalk {
         Mistake {
             name: "names empty leaves too",
             hint: "What is there to be hit in a leaf without shapes?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    let empty = |node: &&mut NodeRow| node.inner == 0 && node.count == 0;
-                    q.nodes
-                        .iter_mut()
-                        .filter(empty)
-                        .for_each(|node| node.count = 1);
-                })
-            },
+            answer: |q| Self::misread(q, fill_empty_leaves),
         },
         Mistake {
             name: "takes z for the lowest bit of a child's number, and x for the highest",
@@ -371,6 +363,62 @@ impl Graded for OctreeWalk {
                 })
             },
         },
+        Mistake {
+            name: "sorts the leaves by the distances of their least corners from the ray's origin",
+            hint: "A ray that runs towards −x enters a leaf far from the leaf's least corner: which distance tells when?",
+            answer: |q| {
+                let cells = cells(q).0;
+                let far = |leaf: &u32| cells[*leaf as usize].min.distance(q.ray.origin);
+                let mut leaves = Self::right(q);
+                leaves.sort_by(|a, b| far(a).total_cmp(&far(b)));
+                leaves
+            },
+        },
+        Mistake {
+            name: "ends at the first empty leaf",
+            hint: "In an empty leaf there is nothing to visit: where does the ray go on?",
+            answer: |q| {
+                let leaves = Self::misread(q, fill_empty_leaves).into_iter();
+                leaves
+                    .take_while(|leaf| q.nodes[*leaf as usize].count > 0)
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "mirrors a ray that runs backwards, and does not turn the children's numbers",
+            hint: "You mirror the ray so that it runs forwards: which child of the octree is child 0 of the mirrored one?",
+            answer: |q| {
+                let (mut origin, mut direction) = (q.ray.origin, *q.ray.direction);
+                for axis in 0..3 {
+                    if direction[axis] < 0.0 {
+                        origin[axis] = q.min[axis] + q.max[axis] - origin[axis];
+                        direction[axis] = -direction[axis];
+                    }
+                }
+                let ray = Ray::new(origin, Dir3::new_or(direction, Dir3::X));
+                walked(q, ray, q.within)
+            },
+        },
+        Mistake {
+            name: "takes a bit that is set for the lower half",
+            hint: "Child 0 is at the least corner: in which half along x is child 1?",
+            answer: |q| numbered(q, |_, first, i| first + (7 - i)),
+        },
+        Mistake {
+            name: "takes 8 · node + 1 + i for the number of child i, as in a full tree",
+            hint: "Only some nodes have children: which number of a node says where its children begin?",
+            answer: |q| numbered(q, |node, _, i| 8 * node + 1 + i),
+        },
+        Mistake {
+            name: "lists the leaves level by level, as they come from a queue",
+            hint: "A near child has children, and a far one is a leaf: which leaf does the ray pass first?",
+            answer: |q| {
+                let level = levels(q);
+                let mut leaves = Self::right(q);
+                leaves.sort_by_key(|leaf| level[*leaf as usize]);
+                leaves
+            },
+        },
     ];
 }
 
@@ -400,4 +448,58 @@ fn below(q: &OctreeWalk, node: u32, turned: u32, visit: &mut dyn FnMut(u32)) {
             below(q, first + (i ^ turned), turned, visit);
         }
     }
+}
+
+/// Gives each empty leaf a shape.
+fn fill_empty_leaves(q: &mut OctreeWalk) {
+    let empty = |node: &&mut NodeRow| node.inner == 0 && node.count == 0;
+    let leaves = q.nodes.iter_mut().filter(empty);
+    leaves.for_each(|node| node.count = 1);
+}
+
+/// The leaves on the ray's way, front to back, if child i of a node has another number: from the node's own, and the first child's.
+fn numbered(q: &OctreeWalk, number: fn(u32, u32, u32) -> u32) -> Vec<u32> {
+    let mut stays = Vec::new();
+    let mut open = vec![(0, Aabb::new(q.min, q.max), 0)];
+    while let Some((node, cell, depth)) = open.pop() {
+        let Some(&NodeRow {
+            inner,
+            first,
+            count,
+        }) = q.nodes.get(node as usize)
+        else {
+            continue;
+        };
+        let stay = slab::clip(&cell, &q.ray, q.within).filter(|stay| stay.max > stay.min);
+        let Some(stay) = stay.filter(|_| depth < q.nodes.len()) else {
+            continue;
+        };
+        if inner == 1 {
+            let child = |i: u32| {
+                (
+                    number(node, first, i),
+                    child_cell(&cell, i as usize),
+                    depth + 1,
+                )
+            };
+            open.extend((0..8).map(child));
+        } else if count > 0 {
+            stays.push((stay.min + stay.max, node));
+        }
+    }
+    stays.sort_by(|a, b| a.0.total_cmp(&b.0));
+    stays.into_iter().map(|(_, node)| node).collect()
+}
+
+/// The number of nodes above each node.
+fn levels(q: &OctreeWalk) -> Vec<u32> {
+    let mut levels = vec![0; q.nodes.len()];
+    for node in 0..q.nodes.len() {
+        let NodeRow { inner, first, .. } = q.nodes[node];
+        if inner == 1 {
+            let below = levels[node] + 1;
+            levels[first as usize..][..8].fill(below);
+        }
+    }
+    levels
 }

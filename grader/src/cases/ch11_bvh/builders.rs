@@ -51,44 +51,56 @@ pub(super) struct Cut {
     cost: f32,
 }
 
-/// A rule by which at least two boxes are cut in two.
-pub(super) type Cutting = fn(&BvhBuild, &[u32]) -> Cut;
+/// A rule by which at least two boxes are cut in two, as many cuts below the root as it is told.
+pub(super) type Cutting = fn(&BvhBuild, &[u32], usize) -> Cut;
 
 /// The cheapest cut of all.
-pub(super) const ALL_CUTS: Cutting = |q, which| cheapest(q, which, 0..3, by_areas);
+pub(super) const ALL_CUTS: Cutting = |q, which, _| cheapest(q, which, 0..3, by_areas);
 
 /// The cut whose sides have the least areas, however many boxes are in them.
-pub(super) const WITHOUT_NUMBERS: Cutting = |q, which| cheapest(q, which, 0..3, area_around);
+pub(super) const WITHOUT_NUMBERS: Cutting = |q, which, _| cheapest(q, which, 0..3, area_around);
 
 /// The cut whose sides have the least volumes, times their numbers of boxes.
-pub(super) const BY_VOLUMES: Cutting = |q, which| {
+pub(super) const BY_VOLUMES: Cutting = |q, which, _| {
     cheapest(q, which, 0..3, |q, side| {
         around(&q.boxes, side).size().element_product() * side.len() as f32
     })
 };
 
 /// The cut whose sides have the least sums of extents, times their numbers of boxes.
-pub(super) const BY_EXTENTS: Cutting = |q, which| {
+pub(super) const BY_EXTENTS: Cutting = |q, which, _| {
     cheapest(q, which, 0..3, |q, side| {
         around(&q.boxes, side).size().element_sum() * side.len() as f32
     })
 };
 
+/// The cheapest cut, if the right side had what the left one lacks of the area of the node's box.
+pub(super) const WHOLE_LESS_LEFT: Cutting = |q, which, _| {
+    let whole = area_around(q, which);
+    cheapest_by(q, which, 0..3, |left, right| {
+        let of_left = area_around(q, left);
+        of_left * left.len() as f32 + (whole - of_left) * right.len() as f32
+    })
+};
+
+/// The cut in the middle of the row, along x, y and z in turn from level to level.
+pub(super) const IN_TURN: Cutting = |q, which, depth| middle(q, which, depth % 3);
+
 /// The cheapest cut along x.
-pub(super) const ALONG_X: Cutting = |q, which| cheapest(q, which, [0], by_areas);
+pub(super) const ALONG_X: Cutting = |q, which, _| cheapest(q, which, [0], by_areas);
 
 /// The cheapest cut along z.
-pub(super) const ALONG_Z: Cutting = |q, which| cheapest(q, which, [2], by_areas);
+pub(super) const ALONG_Z: Cutting = |q, which, _| cheapest(q, which, [2], by_areas);
 
 /// The cheapest cut along the axis along which the node's box is longest.
 pub(super) const ALONG_THE_LONGEST: Cutting =
-    |q, which| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas);
+    |q, which, _| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas);
 
 /// The cut at the middle of the node's box.
-pub(super) const AT_THE_MIDDLE: Cutting = |q, which| halved(q, which, &around(&q.boxes, which));
+pub(super) const AT_THE_MIDDLE: Cutting = |q, which, _| halved(q, which, &around(&q.boxes, which));
 
 /// The cut at the middle of the box around the centres.
-pub(super) const AT_THE_CENTERS_MIDDLE: Cutting = |q, which| {
+pub(super) const AT_THE_CENTERS_MIDDLE: Cutting = |q, which, _| {
     let centers = which.iter().map(|&i| center(&q.boxes[i as usize]));
     halved(q, which, &Aabb::of(centers))
 };
@@ -112,6 +124,19 @@ pub(super) const CHEAPER_THAN_THE_CUT: Leaf =
 /// A leaf where it has no more boxes than the branch and the cut cost, whose areas are not divided by the node's.
 pub(super) const ABSOLUTE: Leaf = |_, which, cut| 1.0 + cut.cost >= which.len() as f32;
 
+/// A leaf where it costs no more than the cut and a branch of price 2.
+pub(super) const CHEAPER_THAN_TWO: Leaf = |q, which, cut| {
+    let own = area_around(q, which);
+    2.0 * own + cut.cost >= own * which.len() as f32
+};
+
+/// A leaf where it costs no more than the branch and the cut, if areas are divided by the root's.
+pub(super) const CHEAPER_BY_THE_ROOT: Leaf = |q, which, cut| {
+    let all: Vec<_> = (0..q.boxes.len() as u32).collect();
+    let root = area_around(q, &all);
+    root + cut.cost >= root * which.len() as f32
+};
+
 /// A leaf of a single box only.
 pub(super) const SINGLE: Leaf = |_, which, _| which.len() == 1;
 
@@ -131,10 +156,10 @@ pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswe
         nodes: vec![node(&all)],
         order: Vec::new(),
     };
-    let mut open = vec![(0, all)];
-    while let Some((at, which)) = open.pop() {
+    let mut open = vec![(0, all, 0)];
+    while let Some((at, which, depth)) = open.pop() {
         let fits = which.len() <= q.most.max(1) as usize;
-        let cut = (which.len() > 1).then(|| cutting(q, &which));
+        let cut = (which.len() > 1).then(|| cutting(q, &which, depth));
         let cut = cut.filter(|cut| !(fits && leaf(q, &which, cut)));
         let Some(cut) = cut else {
             tree.nodes[at].first = tree.order.len() as u32;
@@ -144,7 +169,7 @@ pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswe
         };
         tree.nodes[at].first = tree.nodes.len() as u32;
         for side in cut.sides {
-            open.push((tree.nodes.len(), side.clone()));
+            open.push((tree.nodes.len(), side.clone(), depth + 1));
             tree.nodes.push(node(&side));
         }
     }
@@ -177,11 +202,23 @@ fn cheapest(
     axes: impl IntoIterator<Item = usize>,
     price: fn(&BvhBuild, &[u32]) -> f32,
 ) -> Cut {
+    cheapest_by(q, which, axes, |left, right| {
+        price(q, left) + price(q, right)
+    })
+}
+
+/// The same, if both sides cost this together.
+fn cheapest_by(
+    q: &BvhBuild,
+    which: &[u32],
+    axes: impl IntoIterator<Item = usize>,
+    price: impl Fn(&[u32], &[u32]) -> f32,
+) -> Cut {
     let mut best: Option<Cut> = None;
     for axis in axes {
         let sorted = sorted(q, which, axis);
         for (left, right) in (1..sorted.len()).map(|i| sorted.split_at(i)) {
-            let cost = price(q, left) + price(q, right);
+            let cost = price(left, right);
             if best.as_ref().is_none_or(|best| cost < best.cost) {
                 let sides = [left.to_vec(), right.to_vec()];
                 best = Some(Cut { sides, cost });

@@ -2,8 +2,8 @@
 
 use super::builders::{
     ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
-    BY_EXTENTS, BY_VOLUMES, CHEAPER, CHEAPER_THAN_THE_CUT, FITS, SINGLE, WITHOUT_NUMBERS, built,
-    chain, one_leaf,
+    BY_EXTENTS, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT, CHEAPER_THAN_TWO,
+    FITS, IN_TURN, SINGLE, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, one_leaf,
 };
 use super::bvh_tree::{tree_cost, wrong_choice};
 use super::sah_cost::node_area;
@@ -371,6 +371,31 @@ impl Graded for BvhBuild {
                 let boxes: Vec<_> = points.collect();
                 tree(&boxes, Method::Binned, q.most)
             },
+        },
+        Mistake {
+            name: "divides the cost of a cut by the area of the root's box, not by that of the node's",
+            hint: "A ray is already in the node's box: with what probability does it meet a side of the cut then?",
+            answer: |q| built(q, ALL_CUTS, CHEAPER_BY_THE_ROOT),
+        },
+        Mistake {
+            name: "lets a branch cost two tests, one for each child's box",
+            hint: "What does the task say that opening a branch costs?",
+            answer: |q| built(q, ALL_CUTS, CHEAPER_THAN_TWO),
+        },
+        Mistake {
+            name: "lets a leaf hold one box less than it may",
+            hint: "How many boxes are in a leaf that is just full: is your comparison < or ≤?",
+            answer: |q| Self::misread(q, |q| q.most = q.most.saturating_sub(1).max(1)),
+        },
+        Mistake {
+            name: "takes the whole area less the left side's for that of the right side",
+            hint: "Two boxes around the two halves of a cube: do their areas come to that of the cube?",
+            answer: |q| built(q, WHOLE_LESS_LEFT, CHEAPER),
+        },
+        Mistake {
+            name: "cuts the row in the middle, along x, y and z in turn, and makes a leaf of all that it can hold",
+            hint: "One box lies far away from nine others: what does your rule know of areas?",
+            answer: |q| built(q, IN_TURN, FITS),
         },
     ];
 }

@@ -2,8 +2,8 @@
 
 use super::tree;
 use crate::{
-    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::Found, search::How,
-    search::Keeps, search::Node, search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::Found,
+    search::How, search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
@@ -261,6 +261,36 @@ impl Graded for BvhClosest {
                 }
                 answer
             },
+        },
+        Mistake {
+            name: "takes a box for missed if the ray begins in it",
+            hint: "A ray begins inside a box: where does it enter, before the interval's min or behind it, and is the box met?",
+            answer: |q| search(q, |how| how.only_from_outside = true),
+        },
+        Mistake {
+            name: "loses the boxes if the ray does not move along some axis",
+            hint: "If the ray does not move along x, how far is it to the two faces across x, and what is 0 · ∞?",
+            answer: |q| search(q, |how| how.loses_parallel = true),
+        },
+        Mistake {
+            name: "leaves out triangles whose backs the ray meets",
+            hint: "Does the task want the nearest triangle, or the nearest that faces the ray?",
+            answer: |q| search(q, |how| how.culls = true),
+        },
+        Mistake {
+            name: "ignores the interval's max",
+            hint: "Something nearer may already have been hit: what is the interval's max for?",
+            answer: |q| Self::misread(q, |q| q.within.max = f32::INFINITY),
+        },
+        Mistake {
+            name: "goes by where the ray leaves the boxes, not by where it enters them",
+            hint: "A large box may begin near and end far away: can the nearest hit be in it? By which end do you choose, and stop?",
+            answer: |q| search(q, |how| how.by = By::Exit),
+        },
+        Mistake {
+            name: "goes by where the ray passes the boxes' middles, not by where it enters the boxes",
+            hint: "A large box may begin near, and its middle be far away: can the nearest hit be in it? By which distance do you choose, and stop?",
+            answer: |q| search(q, |how| how.by = By::Middle),
         },
     ];
 

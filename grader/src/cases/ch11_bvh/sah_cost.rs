@@ -171,7 +171,122 @@ impl Graded for SahCost {
             hint: "How many lines meet a box depends on its surface area, not on a length: what do you weigh by?",
             answer: |q| measured(q, |n| (n.max - n.min).element_sum()),
         },
+        Mistake {
+            name: "leaves the faces across x out of the area",
+            hint: "A box has six faces: which of them are in your sum?",
+            answer: |q| measured(q, without_faces::<0>),
+        },
+        Mistake {
+            name: "leaves the faces across y out of the area",
+            hint: "A box has six faces: which of them are in your sum?",
+            answer: |q| measured(q, without_faces::<1>),
+        },
+        Mistake {
+            name: "leaves the faces across z out of the area",
+            hint: "A box has six faces: which of them are in your sum?",
+            answer: |q| measured(q, without_faces::<2>),
+        },
+        Mistake {
+            name: "divides by the sum of all nodes' areas",
+            hint: "With what probability does a ray that meets the root's box open the root: is it 1 in your sum?",
+            answer: |q| {
+                let all: f32 = q.nodes.iter().map(node_area).sum();
+                SahCost::right(q) * q.nodes.first().map_or(1.0, node_area) / all
+            },
+        },
+        Mistake {
+            name: "divides by the areas of the root's two children together",
+            hint: "With what probability does a ray that meets the root's box open the root: is it 1 in your sum?",
+            answer: |q| {
+                let both = q.nodes.first().map_or(0.0, |root| match root.count {
+                    0 => children(q, root).map(node_area).sum(),
+                    _ => node_area(root),
+                });
+                SahCost::right(q) * q.nodes.first().map_or(1.0, node_area) / both
+            },
+        },
+        Mistake {
+            name: "multiplies by the root's area where it should divide",
+            hint: "Make everything twice as large: does a search take longer?",
+            answer: |q| {
+                let root = q.nodes.first().map_or(1.0, node_area);
+                SahCost::right(q) * root * root
+            },
+        },
+        Mistake {
+            name: "weighs the branches above a leaf by the leaf's area",
+            hint: "A ray opens a branch and misses both of its children: does it pay for the branch?",
+            answer: |q| {
+                let Some(root) = q.nodes.first() else {
+                    return 0.0;
+                };
+                paths(q, root, 0) / node_area(root)
+            },
+        },
+        Mistake {
+            name: "takes the cost of one cut at the root: all shapes below a child are tested there",
+            hint: "A child that is a branch has children of its own: does a ray that enters it test all shapes below?",
+            answer: |q| {
+                let Some(root) = q.nodes.first() else {
+                    return 0.0;
+                };
+                if root.count > 0 {
+                    return node_price(q, root);
+                }
+                let tests = |node: &NodeRow| node_area(node) * shapes(q, node) as f32;
+                let below: f32 = children(q, root).map(tests).sum();
+                q.branch + q.shape * below / node_area(root)
+            },
+        },
+        Mistake {
+            name: "takes 2i + 1 and 2i + 2 for the numbers of the children, as in a full tree",
+            hint: "The children of node 2 need not be nodes 5 and 6: which number of a branch says where its children are?",
+            answer: |q| as_if_full(q, 0) / q.nodes.first().map_or(1.0, node_area),
+        },
     ];
+}
+
+/// The area of a node's box without the faces across an axis.
+fn without_faces<const AXIS: usize>(node: &NodeRow) -> f32 {
+    let size = node.max - node.min;
+    let [across, along, upwards] = [0, 1, 2].map(|i| size[(AXIS + i) % 3]);
+    2.0 * across * (along + upwards)
+}
+
+/// The children of a branch.
+fn children<'a>(q: &'a SahCost, branch: &NodeRow) -> impl Iterator<Item = &'a NodeRow> + use<'a> {
+    q.nodes.iter().skip(branch.first as usize).take(2)
+}
+
+/// The number of shapes below a node.
+fn shapes(q: &SahCost, node: &NodeRow) -> u32 {
+    match node.count {
+        0 => children(q, node).map(|child| shapes(q, child)).sum(),
+        count => count,
+    }
+}
+
+/// What the leaves below a node cost, if each pays for this number of branches above it too, times their areas.
+fn paths(q: &SahCost, node: &NodeRow, branches: u32) -> f32 {
+    if node.count > 0 {
+        let price = node_price(q, node) + q.branch * branches as f32;
+        return node_area(node) * price;
+    }
+    let below = children(q, node).map(|child| paths(q, child, branches + 1));
+    below.sum()
+}
+
+/// What a node and all below it cost, times the root's area, if the children have the numbers that they have in a full tree.
+fn as_if_full(q: &SahCost, i: usize) -> f32 {
+    let Some(node) = q.nodes.get(i) else {
+        return 0.0;
+    };
+    let own = node_area(node) * node_price(q, node);
+    if node.count > 0 {
+        own
+    } else {
+        own + as_if_full(q, 2 * i + 1) + as_if_full(q, 2 * i + 2)
+    }
 }
 
 /// What a node and all below it cost if the node counts by its share, and each node below by its share of its parent only.

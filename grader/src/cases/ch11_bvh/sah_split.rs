@@ -42,7 +42,7 @@ type Cut = fn(&SahSplit, Side, usize, &[Vec<u32>; 2]) -> f32;
 fn split(q: &SahSplit, change: impl FnOnce(&mut How)) -> Vec<u32> {
     let right = How {
         key: center,
-        side: |q, side| sah(&around(&q.boxes, side), side.len() as f32),
+        side: sah_of,
         cut: sum,
     };
     let How { key, side, cut } = changed(right, change);
@@ -83,6 +83,26 @@ fn whole(q: &SahSplit, side: &[u32]) -> (Aabb, f32) {
     (around(&q.boxes, side), side.len() as f32)
 }
 
+/// The left side of the cut with the least cost: of its axis and its two sides, cut by cut.
+fn cheapest(q: &SahSplit, mut cost: impl FnMut(usize, &[u32], &[u32]) -> f32) -> Vec<u32> {
+    let costs = cuts(&q.boxes, center)
+        .into_iter()
+        .map(|(axis, [left, right])| (cost(axis, &left, &right), left));
+    let best = costs.min_by(|a, b| a.0.total_cmp(&b.0));
+    best.map_or(Vec::new(), |(_, left)| left)
+}
+
+/// What a side costs.
+fn sah_of(q: &SahSplit, side: &[u32]) -> f32 {
+    let (bounds, count) = whole(q, side);
+    sah(&bounds, count)
+}
+
+/// What one more box of a side would cost, if the side's box were not larger.
+fn once(q: &SahSplit, side: &[u32]) -> f32 {
+    sah(&around(&q.boxes, side), 1.0)
+}
+
 fn sah(bounds: &Aabb, count: f32) -> f32 {
     area(bounds.min, bounds.max) * count
 }
@@ -105,8 +125,7 @@ fn split_cost(q: &SahSplit, left: &[u32]) -> Result<f32, String> {
     if left.is_empty() || right.is_empty() {
         return Err("all boxes are on the same side".to_owned());
     }
-    let side = |side: &[u32]| sah(&around(&q.boxes, side), side.len() as f32);
-    Ok(side(left) + side(&right))
+    Ok(sah_of(q, left) + sah_of(q, &right))
 }
 
 /// Whether along some axis no box of a side has its centre behind that of a box on the other side, but for rounding.
@@ -422,6 +441,120 @@ impl Graded for SahSplit {
                 cut_with(q, |q, side, _, [left, right]| {
                     let (all, _) = whole(q, &[&left[..], right].concat());
                     side(q, left) + sah(&all, right.len() as f32)
+                })
+            },
+        },
+        Mistake {
+            name: "takes the whole area less the left side's for that of the right side",
+            hint: "Two boxes around the two halves of a cube: do their areas come to that of the cube?",
+            answer: |q| {
+                cut_with(q, |q, side, _, [left, right]| {
+                    let of = |side: &[u32]| {
+                        let bounds = around(&q.boxes, side);
+                        area(bounds.min, bounds.max)
+                    };
+                    let rest = of(&[&left[..], right].concat()) - of(left);
+                    side(q, left) + rest * right.len() as f32
+                })
+            },
+        },
+        Mistake {
+            name: "counts one box too many on the right",
+            hint: "Of five boxes two are on the left: how many does your formula count on the right?",
+            answer: |q| {
+                cut_with(q, |q, side, _, sides| {
+                    sum(q, side, 0, sides) + once(q, &sides[1])
+                })
+            },
+        },
+        Mistake {
+            name: "counts one box too many on the left",
+            hint: "The cut is behind the first box: how many does your formula count on the left?",
+            answer: |q| {
+                cut_with(q, |q, side, _, sides| {
+                    sum(q, side, 0, sides) + once(q, &sides[0])
+                })
+            },
+        },
+        Mistake {
+            name: "sorts by the greatest corners",
+            hint: "A long box begins before most others and ends after them: between which of them does it stand in your row?",
+            answer: |q| split(q, |how| how.key = |b| b.max),
+        },
+        Mistake {
+            name: "stops along an axis as soon as the cost rises",
+            hint: "The cost may rise and fall again along the row: is the first cut before a dearer one the cheapest?",
+            answer: |q| {
+                let (mut last, mut rises) = ((3, f32::INFINITY), false);
+                cheapest(q, |axis, left, right| {
+                    let cost = sah_of(q, left) + sah_of(q, right);
+                    rises = axis == last.0 && (rises || cost > last.1);
+                    last = (axis, cost);
+                    if rises { f32::INFINITY } else { cost }
+                })
+            },
+        },
+        Mistake {
+            name: "takes the greater of the two sides' costs, not their sum",
+            hint: "A ray may meet both sides: what does it pay then?",
+            answer: |q| {
+                cut_with(q, |q, side, _, [left, right]| {
+                    side(q, left).max(side(q, right))
+                })
+            },
+        },
+        Mistake {
+            name: "never empties the left side's box: at the next axis it still holds those of the axis before",
+            hint: "The first cut along y has one box on the left: what is in your left side's box then?",
+            answer: |q| {
+                let mut held = Vec::new();
+                cheapest(q, |_, left, right| {
+                    let bounds = around(&q.boxes, &[&held[..], left].concat());
+                    if right.len() == 1 {
+                        held.extend_from_slice(left);
+                    }
+                    sah(&bounds, left.len() as f32) + sah_of(q, right)
+                })
+            },
+        },
+        Mistake {
+            name: "adds up the areas of a side's boxes, and makes no box around them",
+            hint: "Two small boxes far apart are on one side: how large is the box that a ray has to miss?",
+            answer: |q| {
+                least(q, |q, side| {
+                    let areas = side.iter().map(|i| {
+                        let BoxRow { min, max } = q.boxes[*i as usize];
+                        area(min, max)
+                    });
+                    areas.sum::<f32>() * side.len() as f32
+                })
+            },
+        },
+        Mistake {
+            name: "cuts at the middle of the box around all, along its longest axis",
+            hint: "One box lies far away from nine others: what does your rule know of areas and numbers?",
+            answer: |q| {
+                cut_with(q, |q, _, axis, [left, right]| {
+                    if axis != longest(q) {
+                        return f32::INFINITY;
+                    }
+                    let all = around(&q.boxes, &[&left[..], right].concat());
+                    let is_before =
+                        |i: &u32| center(&q.boxes[*i as usize])[axis] < all.center()[axis];
+                    let strangers = left.iter().filter(|i| !is_before(i)).count()
+                        + right.iter().filter(|i| is_before(i)).count();
+                    strangers as f32
+                })
+            },
+        },
+        Mistake {
+            name: "tries only the axis along which the centres lie farthest apart",
+            hint: "Is the best cut always across the longest row of centres?",
+            answer: |q| {
+                cut_with(q, |q, side, axis, sides| {
+                    let centers = Aabb::of(q.boxes.iter().map(center));
+                    let is_longest = axis == centers.size().max_position();
+                    sum(q, side, 0, sides) + if is_longest { 0.0 } else { 1e9 }
                 })
             },
         },

@@ -1,14 +1,23 @@
 //! `blinn_phong`: random questions, judge and mistakes.
 
 use super::highlight::{
-    BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_colour, power_of_more, radiance, random, shining_through, with_highlight,
-    with_terms,
+    BALL, ambient, greater_term, half, highlight_without_light, matte_from_below,
+    matte_without_cosine, mirrored, on_ball, power, power_of_colour, power_of_more, radiance,
+    random, shining_through, with_highlight, with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch12_phong::BlinnPhongExercise;
+use std::f32::consts::{PI, TAU};
+
+/// The right answer with this factor before the highlight.
+fn by_factor(q: &BlinnPhongExercise, factor: fn(&BlinnPhongExercise) -> f32) -> Rgb {
+    with_highlight(
+        &q.at,
+        factor(q) * power(half(&q.at).dot(*q.at.normal), &q.at),
+    )
+}
 
 impl Graded for BlinnPhongExercise {
     fn random(rng: &mut Pcg) -> Self {
@@ -218,6 +227,67 @@ impl Graded for BlinnPhongExercise {
             name: "raises k_s to the exponent, and not the cosine",
             hint: "What stands below α: the cosine, or k_s?",
             answer: |q| power_of_colour(&q.at, half(&q.at).dot(*q.at.normal)),
+        },
+        Mistake {
+            name: "lets a light from behind take light away",
+            hint: "Is any of your channels ever negative? There is no negative light.",
+            answer: |q| {
+                let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal);
+                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
+                (diffuse + highlight) * q.at.arriving
+            },
+        },
+        Mistake {
+            name: "raises the exponent to the power of the cosine",
+            hint: "Which of the two stands below the other: the cosine N·H, or α?",
+            answer: |q| {
+                let cosine = half(&q.at).dot(*q.at.normal).max(0.0);
+                with_highlight(&q.at, q.at.exponent.powf(cosine))
+            },
+        },
+        Mistake {
+            name: "multiplies the highlight by (α + 8)/8π",
+            hint: "Is the highlight to conserve energy here, or to be as in the formula?",
+            answer: |q| by_factor(q, |q| (q.at.exponent + 8.0) / (8.0 * PI)),
+        },
+        Mistake {
+            name: "multiplies the highlight by (α + 2)/2π",
+            hint: "Is the highlight to conserve energy here, or to be as in the formula?",
+            answer: |q| by_factor(q, |q| (q.at.exponent + 2.0) / TAU),
+        },
+        Mistake {
+            name: "divides the highlight by 4 (L·N) (N·V), as in Cook and Torrance's model",
+            hint: "That belongs to a BRDF of microfacets: is it in the formula that you are given?",
+            answer: |q| {
+                by_factor(q, |q| {
+                    let cosines = q.at.toward.dot(*q.at.normal) * q.at.view.dot(*q.at.normal);
+                    0.25 / cosines.max(1e-6)
+                })
+            },
+        },
+        Mistake {
+            name: "takes the mirrored light for the light in H",
+            hint: "In Blinn's model nothing is mirrored: H is half way between which two directions?",
+            answer: |q| {
+                let half = (mirrored(&q.at) + *q.at.view).normalize_or_zero();
+                with_highlight(&q.at, power(half.dot(*q.at.normal), &q.at))
+            },
+        },
+        Mistake {
+            name: "takes the greater of matte part and highlight for their sum",
+            hint: "Does the matte part vanish where the highlight is?",
+            answer: |q| {
+                with_terms(
+                    &q.at,
+                    power(half(&q.at).dot(*q.at.normal), &q.at),
+                    greater_term,
+                )
+            },
+        },
+        Mistake {
+            name: "adds an ambient part, a tenth of k_d i",
+            hint: "Put the light below the surface: does anything of it arrive?",
+            answer: |q| BlinnPhongExercise::right(q) + ambient(&q.at),
         },
     ];
 

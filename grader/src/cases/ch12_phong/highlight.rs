@@ -96,6 +96,22 @@ pub(super) fn power_of_colour(q: &Highlight, cosine: f32) -> Rgb {
     (q.diffuse * lambert + shine) * q.arriving
 }
 
+/// The greater of both terms in each channel.
+pub(super) fn greater_term(q: &Highlight, highlight: f32) -> Rgb {
+    let lambert = q.toward.dot(*q.normal);
+    if lambert <= 0.0 {
+        return Rgb::BLACK;
+    }
+    let [matte, shine] = [q.diffuse * lambert, q.specular * highlight].map(Rgb::channels);
+    let [r, g, b] = [0, 1, 2].map(|i| matte[i].max(shine[i]));
+    Rgb::new(r, g, b) * q.arriving
+}
+
+/// A tenth of the light in the matte part's colour, from all sides.
+pub(super) fn ambient(q: &Highlight) -> Rgb {
+    q.diffuse * 0.1 * q.arriving
+}
+
 /// The light that would reach the matte part from below the surface.
 pub(super) fn matte_from_below(q: &Highlight) -> Rgb {
     q.diffuse * (-q.toward.dot(*q.normal)).max(0.0) * q.arriving

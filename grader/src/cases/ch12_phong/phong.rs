@@ -1,9 +1,9 @@
 //! `phong`: random questions, judge and mistakes.
 
 use super::highlight::{
-    BALL, half, highlight_without_light, matte_from_below, matte_without_cosine, mirrored, on_ball,
-    power, power_of_colour, power_of_more, radiance, random, shining_through, with_highlight,
-    with_terms,
+    BALL, ambient, greater_term, half, highlight_without_light, matte_from_below,
+    matte_without_cosine, mirrored, on_ball, power, power_of_colour, power_of_more, radiance,
+    random, shining_through, with_highlight, with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
@@ -191,6 +191,30 @@ impl Graded for PhongExercise {
             name: "raises k_s to the exponent, and not the cosine",
             hint: "What stands below α: the cosine, or k_s?",
             answer: |q| power_of_colour(&q.at, mirrored(&q.at).dot(*q.at.view)),
+        },
+        Mistake {
+            name: "raises the exponent to the power of the cosine",
+            hint: "Which of the two stands below the other: the cosine R·V, or α?",
+            answer: |q| {
+                let cosine = mirrored(&q.at).dot(*q.at.view).max(0.0);
+                with_highlight(&q.at, q.at.exponent.powf(cosine))
+            },
+        },
+        Mistake {
+            name: "takes the greater of matte part and highlight for their sum",
+            hint: "Does the matte part vanish where the highlight is?",
+            answer: |q| {
+                with_terms(
+                    &q.at,
+                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
+                    greater_term,
+                )
+            },
+        },
+        Mistake {
+            name: "adds an ambient part, a tenth of k_d i",
+            hint: "Put the light below the surface: does anything of it arrive?",
+            answer: |q| PhongExercise::right(q) + ambient(&q.at),
         },
     ];
 

@@ -130,5 +130,44 @@ impl Graded for PointLightExercise {
             hint: "How does a sphere's area grow with its radius? Is a vector that you divide by normalised already?",
             answer: |q| falling_off(q, |r| 1.0 / (r * r * r)),
         },
+        Mistake {
+            name: "divides by 1 + d + d²",
+            hint: "That avoids a large number near the lamp; what does it do to the light at one metre?",
+            answer: |q| falling_off(q, |r| 1.0 / (1.0 + r + r * r)),
+        },
+        Mistake {
+            name: "divides by 1 + 0.09 d + 0.032 d², as games do",
+            hint: "The formula has one term: how much of the lamp's light arrives at one metre?",
+            answer: |q| falling_off(q, |r| 1.0 / (1.0 + 0.09 * r + 0.032 * r * r)),
+        },
+        Mistake {
+            name: "adds up what lies between light and point along each axis for the distance",
+            hint: "Three steps along x, y and z are longer than the straight way: how long is that?",
+            answer: |q| {
+                let right = PointLightExercise::right(q)?;
+                let distance = (q.position - q.at).abs().element_sum();
+                Some(Arriving {
+                    distance,
+                    arriving: q.intensity * (1.0 / (distance * distance)),
+                    ..right
+                })
+            },
+        },
+        Mistake {
+            name: "multiplies by the cosine between the direction and +y, as if the surface faced up",
+            hint: "The answer is for a surface that faces the light: how large is the cosine there?",
+            answer: |q| {
+                let right = PointLightExercise::right(q)?;
+                Some(Arriving {
+                    arriving: right.arriving * right.toward.y.max(0.0),
+                    ..right
+                })
+            },
+        },
+        Mistake {
+            name: "takes e^−d for 1/d²",
+            hint: "Clear air swallows nothing: why does a lamp look weaker from far away?",
+            answer: |q| falling_off(q, |r| (-r).exp()),
+        },
     ];
 }

@@ -11,9 +11,18 @@ fn square(q: &Reflect) -> Vec3 {
     q.incoming.dot(*q.normal) * *q.normal
 }
 
-/// (i.x n.x², i.y n.y², i.z n.z²): what comes of (i·n) n without the sum.
+/// The normal on the side from which the ray comes.
+fn facing(q: &Reflect) -> Vec3 {
+    if q.incoming.dot(*q.normal) > 0.0 {
+        -*q.normal
+    } else {
+        *q.normal
+    }
+}
+
+/// (i.x (1 − 2 n.x²), …): what comes of i − 2 (i·n) n without the sum.
 fn axis_by_axis(q: &Reflect) -> Vec3 {
-    *q.incoming * *q.normal * *q.normal
+    *q.incoming - 2.0 * *q.incoming * *q.normal * *q.normal
 }
 
 impl Graded for Reflect {
@@ -70,14 +79,7 @@ impl Graded for Reflect {
         Mistake {
             name: "answers with the normal",
             hint: "The normal is half way between where the light comes from and where it goes.",
-            answer: |q| {
-                let facing = if q.incoming.dot(*q.normal) > 0.0 {
-                    -1.0
-                } else {
-                    1.0
-                };
-                facing * *q.normal
-            },
+            answer: facing,
         },
         Mistake {
             name: "subtracts 2 |i·n| n from i",
@@ -119,12 +121,28 @@ impl Graded for Reflect {
         Mistake {
             name: "multiplies i and n axis by axis instead of taking their dot product",
             hint: "i·n is one number: what is still to be done with the three products?",
-            answer: |q| *q.incoming - 2.0 * axis_by_axis(q),
+            answer: axis_by_axis,
         },
         Mistake {
             name: "multiplies i and n axis by axis instead of taking their dot product, and normalises what comes of it",
             hint: "i·n is one number: what is still to be done with the three products?",
-            answer: |q| (*q.incoming - 2.0 * axis_by_axis(q)).normalize_or_zero(),
+            // At 45° rounding decides the sign of 1 − 2 n.x²: so much less, it is that of double precision.
+            answer: |q| (axis_by_axis(q) - f32::EPSILON * *q.incoming).normalize_or_zero(),
+        },
+        Mistake {
+            name: "adds i and the normal, and normalises",
+            hint: "Half way between the two is a direction: is it on the other side of the normal?",
+            answer: |q| (*q.incoming + facing(q)).normalize_or(facing(q)),
+        },
+        Mistake {
+            name: "turns round only the axis that the normal is nearest to",
+            hint: "That mirrors at the faces of a box: what if the normal lies between two axes?",
+            answer: |q| {
+                let axis = q.normal.abs().max_position();
+                let mut turned = *q.incoming;
+                turned[axis] = -turned[axis];
+                turned
+            },
         },
     ];
 

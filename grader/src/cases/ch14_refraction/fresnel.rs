@@ -285,6 +285,87 @@ impl Graded for Fresnel {
                 }
             },
         },
+        Mistake {
+            name: "reflects all light where the medium behind is the thinner one, at any angle",
+            hint: "Look out of the water, straight up: do you see the sky?",
+            answer: |q| {
+                if q.n1 > q.n2 {
+                    mean(1.0, 1.0)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "forgets to square the sine in the cosine on the other side",
+            hint: "sin² + cos² = 1: which of the two squares is missing in yours?",
+            answer: |q| {
+                let sine = q.n1 / q.n2 * (1.0 - q.cos1 * q.cos1).sqrt();
+                if sine >= 1.0 {
+                    mean(1.0, 1.0)
+                } else {
+                    shares(q.n1, q.cos1, q.n2, (1.0 - sine).sqrt())
+                }
+            },
+        },
+        Mistake {
+            name: "compares the sine with n₁/n₂ for total reflection",
+            hint: "The sine behind the surface is n₁/n₂ times that before it: when is it 1?",
+            answer: |q| {
+                let sine = (1.0 - q.cos1 * q.cos1).sqrt();
+                if sine > q.n1 / q.n2 {
+                    mean(1.0, 1.0)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes the root of the mean of both squares for R",
+            hint: "Unpolarised light is half of one kind and half of the other: what is the mean of both?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, .. } = Fresnel::right(q);
+                let r = (0.5 * (rs * rs + rp * rp)).sqrt();
+                FresnelAnswer { rs, rp, r }
+            },
+        },
+        Mistake {
+            name: "squares the amplitudes of the light that goes through",
+            hint: "Which light do the two formulas speak of: what is reflected, or what goes on behind the surface?",
+            answer: |q| match cos2(q) {
+                Some(cos2) => {
+                    let share = |sum: f32| (2.0 * q.n1 * q.cos1 / sum.max(1e-6)).powi(2);
+                    let (s, p) = (q.n1 * q.cos1 + q.n2 * cos2, q.n1 * cos2 + q.n2 * q.cos1);
+                    mean(share(s), share(p))
+                }
+                None => Self::right(q),
+            },
+        },
+        Mistake {
+            name: "returns Schlick's approximation for R from θ₁ out of the denser medium too, beside the exact Rs and Rp",
+            hint: "R is the mean of Rs and Rp: why approximate what you have?",
+            answer: |q| {
+                let FresnelAnswer { rs, rp, r } = Fresnel::right(q);
+                let r = cos2(q).map_or(r, |_| schlick_of_cos1(q));
+                FresnelAnswer { rs, rp, r }
+            },
+        },
+        Mistake {
+            name: "returns Schlick's approximation for Rs, Rp and R, from θ₁ out of the denser medium too",
+            hint: "One of Rs and Rp is zero at Brewster's angle: which of yours is?",
+            answer: |q| {
+                let r = cos2(q).map_or(1.0, |_| schlick_of_cos1(q));
+                mean(r, r)
+            },
+        },
+        Mistake {
+            name: "returns Schlick's approximation for Rs, Rp and R, and knows no total reflection",
+            hint: "One of Rs and Rp is zero at Brewster's angle: which of yours is? And where no light goes through, where does it all go?",
+            answer: |q| {
+                let r = schlick_of_cos1(q);
+                mean(r, r)
+            },
+        },
     ];
 }
 
@@ -317,6 +398,12 @@ fn by_amplitudes(q: &Fresnel, both: fn(f32, f32) -> f32) -> FresnelAnswer {
         (0.5 * both(s, p)).powi(2)
     });
     FresnelAnswer { rs, rp, r }
+}
+
+/// Schlick's approximation from the angle before the surface, whichever medium is the denser one.
+fn schlick_of_cos1(q: &Fresnel) -> f32 {
+    let (thinner, denser) = (q.n1.min(q.n2), q.n1.max(q.n2));
+    fresnel::schlick(q.cos1, thinner, denser)
 }
 
 /// cos θ₂, unless all is reflected.

@@ -176,6 +176,39 @@ impl Graded for Refract {
                 Some((along(q)? + q.direction.dot(n) * n).normalize_or_zero())
             },
         },
+        Mistake {
+            name: "takes every ray into a thinner medium for totally reflected",
+            hint: "Look out of the water, straight up: do you see the sky?",
+            answer: |q| Refract::right(q).filter(|_| ratio(q) <= 1.0),
+        },
+        Mistake {
+            name: "divides the smaller index by the larger, whichever way the ray goes",
+            hint: "Into a denser medium a ray bends towards the normal, and out of it?",
+            answer: |q| {
+                let n = facing(q);
+                let eta = q.outside.min(q.inside) / q.outside.max(q.inside);
+                snell(q, n, -q.direction.dot(n), eta)
+            },
+        },
+        Mistake {
+            name: "multiplies the cosine, not the sine, by n₁/n₂ to see whether the ray is totally reflected",
+            hint: "Snell's law is about the angles' sines: which rays are totally reflected, the steep or the flat ones?",
+            answer: |q| {
+                let (n, eta) = (facing(q), ratio(q));
+                let cos1 = -q.direction.dot(n);
+                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).max(0.0).sqrt();
+                let refracted = eta * *q.direction + (eta * cos1 - cos2) * n;
+                (eta * cos1 <= 1.0).then(|| refracted.normalize_or_zero())
+            },
+        },
+        Mistake {
+            name: "takes 1 − sin θ₂ for the cosine, and normalises",
+            hint: "sin² + cos² = 1: where are the squares, and the root?",
+            answer: |q| {
+                let (n, along) = (facing(q), along(q)?);
+                Some((along - (1.0 - along.length()) * n).normalize_or_zero())
+            },
+        },
     ];
 }
 

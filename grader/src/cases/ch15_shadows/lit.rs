@@ -18,17 +18,17 @@ fn blocked(q: &Lit, spheres: &[Ball], within: Interval) -> bool {
     spheres.iter().any(to_light)
 }
 
-/// Whether only the nearer of a sphere's two hits is asked for, from the right start.
-fn blocked_by_the_nearer(q: &Lit) -> bool {
+/// Whether a sphere is in the way by which of its two hits, the nearer one first, are between the right start and the light.
+fn blocked_by(q: &Lit, hides: fn([bool; 2]) -> bool) -> bool {
     let way = shadow(q);
-    let hides = |ball: &Ball| {
+    let is_hiding = |ball: &Ball| {
         let from = way.origin - ball.center;
         let middle = -from.dot(*q.toward);
         let aside = (from + middle * *q.toward).length_squared();
         let half = (ball.radius * ball.radius - aside).sqrt(); // NaN where it misses
-        way.within.contains(middle - half)
+        hides([middle - half, middle + half].map(|t| way.within.contains(t)))
     };
-    q.spheres.iter().any(hides)
+    q.spheres.iter().any(is_hiding)
 }
 
 /// The way to the light.
@@ -225,7 +225,7 @@ impl Graded for Lit {
         Mistake {
             name: "asks only for the nearer of the two hits with each sphere",
             hint: "A ray that starts inside of a sphere hits it once, on its way out: which of your two distances is that?",
-            answer: |q| u32::from(!blocked_by_the_nearer(q)),
+            answer: |q| u32::from(!blocked_by(q, |[nearer, _]| nearer)),
         },
         Mistake {
             name: "steps to the normal's side, wherever the light is",
@@ -277,13 +277,13 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "leaves out a sphere in which the light is",
+            name: "leaves out a sphere in which the light is, such as by asking only for the farther of two hits",
             hint: "A lamp may stand in a lampshade: does the way to it go through the shade?",
             answer: |q| {
                 Self::misread(q, |q| {
                     let light = q.position + q.distance * *q.toward;
-                    q.spheres
-                        .retain(|ball| ball.center.distance(light) >= ball.radius);
+                    let is_around = |ball: &Ball| ball.center.distance(light) < ball.radius;
+                    q.spheres.retain(|ball| !is_around(ball));
                 })
             },
         },
@@ -319,6 +319,63 @@ impl Graded for Lit {
                 };
                 let end = shadow(q).within.max;
                 u32::from(!blocked(&moved, &q.spheres, Interval::new(0.0, end)))
+            },
+        },
+        Mistake {
+            name: "takes a sphere for an obstacle only if the way both enters and leaves it",
+            hint: "The way may begin or end inside of a sphere: how often does it meet that sphere?",
+            answer: |q| u32::from(!blocked_by(q, |[nearer, farther]| nearer && farther)),
+        },
+        Mistake {
+            name: "sees nothing in the way of a light that is infinitely far away",
+            hint: "The sun has no place to which you could go: which numbers of yours are infinite, or not numbers at all?",
+            answer: |q| {
+                if q.distance.is_finite() {
+                    Self::right(q)
+                } else {
+                    1
+                }
+            },
+        },
+        Mistake {
+            name: "starts on the surface itself, and leaves out hits that are nearer than a millimetre",
+            hint: "How far below the surface may the point lie, and is a millimetre always more than that?",
+            answer: |q| u32::from(!blocked(q, &q.spheres, Interval::new(1e-3, q.distance))),
+        },
+        Mistake {
+            name: "takes any sphere on the line to the light for an obstacle, behind the point and behind the light too",
+            hint: "A line has no ends: between which two points of it are obstacles?",
+            answer: |q| {
+                let line = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
+                u32::from(!blocked(q, &q.spheres, line))
+            },
+        },
+        Mistake {
+            name: "says that a surface which faces away is lit, whatever is in the way",
+            hint: "The normal may point to either side: does it tell what is in the way?",
+            answer: |q| {
+                if q.normal.dot(*q.toward) < 0.0 {
+                    1
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes B/2 for B in the discriminant: subtracts 4 C from its square",
+            hint: "With B = 2 o·d the discriminant is B² − 4 C, and with half of B?",
+            answer: |q| {
+                let way = shadow(q);
+                let is_hiding = |ball: &Ball| {
+                    let from = way.origin - ball.center;
+                    let middle = -from.dot(*q.toward);
+                    let free = from.length_squared() - ball.radius * ball.radius;
+                    let half = (middle * middle - 4.0 * free).sqrt(); // NaN where it misses
+                    [middle - half, middle + half]
+                        .iter()
+                        .any(|t| way.within.contains(*t))
+                };
+                u32::from(!q.spheres.iter().any(is_hiding))
             },
         },
     ];

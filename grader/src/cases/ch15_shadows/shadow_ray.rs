@@ -33,6 +33,12 @@ fn ending(q: &ShadowRay, max: f32) -> Way {
     }
 }
 
+/// The right answer, with another direction.
+fn along(q: &ShadowRay, direction: Vec3) -> Way {
+    let right = ShadowRay::right(q);
+    Way { direction, ..right }
+}
+
 impl Graded for ShadowRay {
     fn random(rng: &mut Pcg) -> ShadowRay {
         let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
@@ -337,6 +343,41 @@ impl Graded for ShadowRay {
                 let side = 1.0_f32.copysign(q.toward.y);
                 starting(q, q.position + side * step * *q.normal, 0.0)
             },
+        },
+        Mistake {
+            name: "steps up by the error along +y, wherever the surface is",
+            hint: "A wall is left sideways: which vector in the question tells to which side?",
+            answer: |q| starting(q, q.position + q.error * Vec3::Y, 0.0),
+        },
+        Mistake {
+            name: "steps up by twice the error along +y, wherever the surface is",
+            hint: "A wall is left sideways: which vector in the question tells to which side?",
+            answer: |q| starting(q, q.position + 2.0 * q.error * Vec3::Y, 0.0),
+        },
+        Mistake {
+            name: "adds the error to each coordinate",
+            hint: "In which direction do you step, and on which side of the surface is the light?",
+            answer: |q| starting(q, q.position + Vec3::splat(q.error), 0.0),
+        },
+        Mistake {
+            name: "sends the ray along the normal",
+            hint: "From the surface to the light: which of the two directions is that?",
+            answer: |q| along(q, q.normal.dot(*q.toward).signum() * *q.normal),
+        },
+        Mistake {
+            name: "mirrors the direction to the light at the normal",
+            hint: "A shadow ray goes to the light: what is a mirror direction for?",
+            answer: |q| along(q, 2.0 * q.normal.dot(*q.toward) * *q.normal - *q.toward),
+        },
+        Mistake {
+            name: "ends the interval at nine tenths of the way",
+            hint: "What hangs close below the lamp throws a shadow too: how much before the light must the ray end?",
+            answer: |q| ending(q, 0.9 * q.distance),
+        },
+        Mistake {
+            name: "ends the interval a fixed millimetre before the light's distance from the point",
+            hint: "Your ray begins off the point: how far is the light from where it begins? And is a millimetre much on a grain of sand, and on a planet?",
+            answer: |q| ending(q, q.distance - 1e-3),
         },
     ];
 }

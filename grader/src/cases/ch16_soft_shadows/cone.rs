@@ -1,10 +1,12 @@
 //! Directions to a spherical light, as the mistakes of `sample_sphere_light` choose them.
 
 use super::lattice;
+use crate::Graded;
 use glam::{Vec2, vec3};
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
+use std::f32::consts::{PI, TAU};
 
 /// 1 − cos α of the cone in which the light is seen.
 pub(super) fn cap(q: &SampleSphereLight) -> f32 {
@@ -47,4 +49,38 @@ pub(super) fn around(
         }
     };
     lattice(q.n).map(chosen).collect()
+}
+
+/// From outside, places on the disc through the centre across the axis, with a density made of cos θ and πr²/d².
+pub(super) fn on_disc(q: &SampleSphereLight, pdf: fn(f32, f32) -> f32) -> Vec<Chosen> {
+    let squared = (q.radius / q.at.distance(q.center)).powi(2);
+    if squared >= 1.0 {
+        return SampleSphereLight::right(q);
+    }
+    cone(q, |u, _| {
+        let cosine = (1.0 + squared * u.x).sqrt().recip();
+        (1.0 - cosine, TAU * u.y, pdf(cosine, PI * squared))
+    })
+}
+
+/// Places on a cap of the sphere around an axis, of this height in radii, with the density of uniform ones.
+pub(super) fn on_cap(q: &SampleSphereLight, axis: Dir3, height: f32) -> Vec<Chosen> {
+    let basis = Basis::around(axis);
+    let place = |u: Vec2| {
+        let cosine = 1.0 - height * u.x;
+        let across = (1.0 - cosine * cosine).max(0.0).sqrt();
+        let local = (across * Vec2::from_angle(TAU * u.y)).extend(cosine);
+        let normal = basis.to_world(local);
+        let r = q.center + q.radius * normal - q.at;
+        let area = TAU * height * q.radius * q.radius;
+        let seen = area * r.normalize_or_zero().dot(normal).abs();
+        let pdf = r.length_squared() / seen.max(1e-6);
+        Chosen {
+            toward: r.normalize_or_zero(),
+            distance: r.length(),
+            pdf,
+            arriving: q.radiance / pdf,
+        }
+    };
+    lattice(q.n).map(place).collect()
 }

@@ -34,5 +34,5 @@ pub(super) const RATIO: Flaw = Flaw {
 pub(super) const UNEVEN: Flaw = Flaw {
     complaint: "not uniform",
     name: "does not spread the samples evenly",
-    hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each?",
+    hint: "Which places does a number from 0 to 1 choose, and how much of the light belongs to each? Are your numbers those of the lattice, or random ones?",
 };

@@ -143,14 +143,7 @@ impl Graded for SampleRect {
         Mistake {
             name: "does not see that the light turns its back",
             hint: "Where does a × b point, and on which side of the light is the point?",
-            answer: |q| {
-                let front = SampleRect {
-                    corner: q.corner + q.a,
-                    a: -q.a,
-                    ..q.clone()
-                };
-                SampleRect::right(q).or_else(|| SampleRect::right(&front))
-            },
+            answer: |q| SampleRect::right(q).or_else(|| from_behind(q)),
         },
         Mistake {
             name: "takes the light's corner for its middle",
@@ -214,7 +207,50 @@ impl Graded for SampleRect {
                 spoil_rect(q, |_, _| way.length_squared() / (area(q) * cosine))
             },
         },
+        Mistake {
+            name: "takes a × b for the light's normal without bringing it to length 1 for the cosine",
+            hint: "How long is the cross product of the light's two sides?",
+            answer: |q| spoil_rect(q, |_, chosen| chosen.pdf / area(q)),
+        },
+        Mistake {
+            name: "lets the wrong side of the light shine",
+            hint: "Where does a × b point, and on which side of the light is the point?",
+            answer: from_behind,
+        },
+        Mistake {
+            name: "spreads the lattice from border to border of the light",
+            hint: "The first pair is (½/n, ½/n): what is yours?",
+            answer: |q| chosen_rect(q, |u| 0.5 + (u - 0.5) * N as f32 / (N - 1) as f32),
+        },
+        Mistake {
+            name: "multiplies the density by the number of samples",
+            hint: "What is the integral of a density over all directions, however many samples are taken?",
+            answer: |q| spoil_rect(q, |_, chosen| chosen.pdf * (q.n * q.n) as f32),
+        },
+        Mistake {
+            name: "multiplies the density per area by the cosine and divides it by the squared distance",
+            hint: "Twice as far away, does a piece of the light fill more directions, or fewer? And how dense are they then?",
+            answer: |q| {
+                spoil_rect(q, |cosine, chosen| {
+                    cosine / (chosen.distance.powi(2) * area(q))
+                })
+            },
+        },
+        Mistake {
+            name: "chooses places on one half of the light only, a triangle",
+            hint: "The light has four corners: into which of them do your places come?",
+            answer: |q| chosen_rect(q, |u| if u.element_sum() > 1.0 { 1.0 - u } else { u }),
+        },
     ];
+}
+
+/// The right answer for a light that shines to the other side.
+fn from_behind(q: &SampleRect) -> Option<Vec<Chosen>> {
+    SampleRect::right(&SampleRect {
+        corner: q.corner + q.a,
+        a: -q.a,
+        ..q.clone()
+    })
 }
 
 fn area(q: &SampleRect) -> f32 {

@@ -1,7 +1,7 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
 use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
-use super::cone::{around, cap, cone};
+use super::cone::{around, cap, cone, on_cap, on_disc};
 use super::flaws;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
@@ -102,7 +102,9 @@ impl Graded for SampleSphereLight {
             let turn = sense * angle(c) / TAU + 0.28 / N as f32;
             dvec2(rounded(height), rounded(turn.rem_euclid(1.0)))
         };
-        let places: Vec<_> = got.iter().map(place).collect();
+        // From the centre all directions are alike, and any of them may be the axis.
+        let has_axis = q.at != q.center;
+        let places: Vec<_> = got.iter().filter(|_| has_axis).map(place).collect();
         let mut traits = chosen::traits(q.radiance, got, &places, |_| 1.0 / (TAU * cap));
         // Beside the light any distance is as wrong as another.
         let meets = |c: &&Chosen| 0.5 * c.toward.distance_squared(*axis) <= cap;
@@ -421,6 +423,105 @@ impl Graded for SampleSphereLight {
                 all
             },
         },
+        Mistake {
+            name: "takes πr²/d² for the solid angle, from inside the light too",
+            hint: "From close by, does a ball look as large as a flat disc at the distance of its centre? And from inside?",
+            answer: |q| {
+                let squared = q.at.distance_squared(q.center).max(1e-9);
+                dense(q, |_| squared / (PI * q.radius * q.radius))
+            },
+        },
+        Mistake {
+            name: "takes the way to where the cone touches the light for the distance of the centre: r/√(d² − r²) for the sine",
+            hint: "Draw the cone and the radius to where it touches the sphere: across from the right angle, which side is it?",
+            answer: |q| {
+                let squared = (q.radius / q.at.distance(q.center)).powi(2);
+                if squared < 1.0 {
+                    let sine_squared = squared / (1.0 - squared);
+                    wide(q, 1.0 - (1.0 - sine_squared).max(0.0).sqrt())
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes the root of the uniform number that makes cos θ",
+            hint: "How is cos θ made of a number from 0 to 1, if all directions are equally likely: do your samples crowd at the rim?",
+            answer: |q| cone(q, |u, cap| (u.x.sqrt() * cap, TAU * u.y, 1.0 / (TAU * cap))),
+        },
+        Mistake {
+            name: "spreads the lattice from border to border of the cone",
+            hint: "The first pair is (½/n, ½/n): what is yours?",
+            answer: |q| {
+                let n = q.n.max(2) as f32;
+                cone(q, |u, cap| {
+                    let u = 0.5 + (u - 0.5) * n / (n - 1.0);
+                    (u.x * cap, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "returns the distance of the nearer hit from inside too, which is behind the point",
+            hint: "Inside the light, which of the two points where the line meets the sphere is ahead?",
+            answer: |q| {
+                let is_inside = q.at.distance(q.center) <= q.radius;
+                let mut all = Self::right(q);
+                for chosen in all.iter_mut().filter(|_| is_inside) {
+                    let middle = (q.center - q.at).dot(chosen.toward);
+                    chosen.distance = 2.0 * middle - chosen.distance;
+                }
+                all
+            },
+        },
+        Mistake {
+            name: "chooses places on the disc through the light's centre, with the density of the cone",
+            hint: "A disc on which all places are equally likely: are the directions to it, too?",
+            answer: |q| {
+                let pdf = 1.0 / (TAU * cap(q));
+                let mut all = on_disc(q, |_, _| 1.0);
+                for chosen in &mut all {
+                    chosen.pdf = pdf;
+                    chosen.arriving = q.radiance / pdf;
+                }
+                all
+            },
+        },
+        Mistake {
+            name: "chooses places on the disc through the light's centre, with their density",
+            hint: "Where does the cone touch the sphere: at the disc through its centre, or before that?",
+            answer: |q| on_disc(q, |cosine, disc| 1.0 / (disc * cosine.powi(3))),
+        },
+        Mistake {
+            name: "chooses places on the whole surface of the sphere, on its far side too",
+            hint: "How much of the ball's surface do you see from the point?",
+            answer: |q| on_cap(q, Dir3::Z, 2.0),
+        },
+        Mistake {
+            name: "takes each direction's own angle for the cone's in the density",
+            hint: "All directions of the cone are equally likely: do their densities differ?",
+            answer: |q| dense(q, |height| 1.0 / (TAU * height.max(1e-9))),
+        },
+        Mistake {
+            name: "takes cross products with +y for the axes beside the cone's without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, Vec3::Y),
+        },
+        Mistake {
+            name: "takes cross products with +z for the axes beside the cone's without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, Vec3::Z),
+        },
+        Mistake {
+            name: "chooses places on the half of the sphere that faces the point",
+            hint: "How much of a ball do you see from close by: half of its surface, or less?",
+            answer: |q| {
+                if q.at.distance(q.center) > q.radius {
+                    on_cap(q, Dir3::new_or(q.at - q.center, Dir3::Y), 1.0)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
     ];
 }
 
@@ -432,6 +533,38 @@ fn with_sine(q: &SampleSphereLight, sine: fn(f32) -> f32) -> Vec<Chosen> {
         let cosine = chosen.toward.dot(axis);
         let across = (chosen.toward - cosine * axis).normalize_or_zero();
         chosen.toward = sine(cosine) * across + cosine * axis;
+    }
+    all
+}
+
+/// The right answer with another density of each sample, made of its height 1 − cos θ.
+fn dense(q: &SampleSphereLight, pdf: impl Fn(f32) -> f32) -> Vec<Chosen> {
+    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+    let mut all = SampleSphereLight::right(q);
+    for chosen in &mut all {
+        chosen.pdf = pdf(0.5 * chosen.toward.distance_squared(*axis));
+        chosen.arriving = q.radiance / chosen.pdf;
+    }
+    all
+}
+
+/// Directions around axes beside the cone's that are cross products, and not of length 1.
+fn squeezed(q: &SampleSphereLight, up: Vec3) -> Vec<Chosen> {
+    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+    let up = if axis.dot(up).abs() < 0.9 {
+        up
+    } else {
+        Vec3::X
+    };
+    let x = up.cross(*axis);
+    let y = axis.cross(x);
+    let basis = Basis::around(axis);
+    let mut all = SampleSphereLight::right(q);
+    for chosen in &mut all {
+        let [across, along] = [basis.x, basis.y].map(|beside| chosen.toward.dot(*beside));
+        let up = chosen.toward.dot(*axis);
+        chosen.toward = (across * x + along * y + up * *axis).normalize_or_zero();
+        chosen.distance = distance(q, chosen).0 as f32;
     }
     all
 }

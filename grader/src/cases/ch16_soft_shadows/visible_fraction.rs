@@ -5,13 +5,13 @@ mod leanings;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use fractions::{FINE, exact, seen, seen_past, to_the_corners};
+use fractions::{FINE, by_cosine, exact, seen, seen_past, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::Shape;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
-use std::f32::consts::SQRT_2;
+use std::f32::consts::{SQRT_2, TAU};
 
 /// How many samples are asked for.
 const SAMPLES: u32 = 1024;
@@ -262,15 +262,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "asks whether any ball lets the light through, not all",
             hint: "Two balls, one of them in the way: does the light arrive?",
-            answer: |q| {
-                let fractions = q
-                    .balls
-                    .iter()
-                    .map(|ball| Self::misread(q, |q| q.balls = vec![ball.clone()]));
-                fractions
-                    .reduce(|a, b| a.iter().zip(&b).map(|(a, b)| a.max(*b)).collect())
-                    .unwrap_or_else(|| vec![0.0; q.points.len()])
-            },
+            answer: |q| past_each(q, |_, alone| alone.iter().copied().fold(0.0, f32::max)),
         },
         Mistake {
             name: "asks the first ball only",
@@ -503,17 +495,96 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "multiplies the fractions that each ball alone would leave",
             hint: "A ball within the shadow of another takes no more light away: is a sample hidden twice?",
+            answer: |q| past_each(q, |free, alone| free * alone.iter().product::<f32>()),
+        },
+        Mistake {
+            name: "subtracts the share that each ball alone would hide",
+            hint: "Where two shadows overlap, how often do you count what is hidden there?",
+            answer: |q| past_each(q, |free, alone| less_each(free, alone).max(0.0)),
+        },
+        Mistake {
+            name: "subtracts the share that each ball alone would hide, even if less than nothing is left",
+            hint: "Where two shadows overlap, how often do you count what is hidden there?",
+            answer: |q| past_each(q, less_each),
+        },
+        Mistake {
+            name: "takes the least of the fractions that each ball alone would leave",
+            hint: "Two balls may hide two parts of the light: what is left then?",
+            answer: |q| past_each(q, |free, alone| alone.iter().copied().fold(free, f32::min)),
+        },
+        Mistake {
+            name: "takes the mean of the fractions that each ball alone would leave",
+            hint: "Two balls, one of which hides all of the light: is half of it seen?",
             answer: |q| {
-                let alone = |balls: Vec<_>| Self::misread(q, |q| q.balls = balls);
-                let product = |all: Vec<f32>, ball: &_| {
-                    let one = alone(vec![Clone::clone(ball)]);
-                    all.into_iter()
-                        .zip(one)
-                        .map(|(all, one)| all * one)
-                        .collect()
-                };
-                q.balls.iter().fold(alone(Vec::new()), product)
+                past_each(q, |free, alone| match alone.len() {
+                    0 => free,
+                    n => alone.iter().sum::<f32>() / n as f32,
+                })
             },
+        },
+        Mistake {
+            name: "returns the mean of all points' fractions for each of them",
+            hint: "Is it as dark at every point? Where does your count begin anew, and by what do you divide?",
+            answer: |q| {
+                let all = Self::right(q);
+                let mean = all.iter().sum::<f32>() / all.len().max(1) as f32;
+                vec![mean; all.len()]
+            },
+        },
+        Mistake {
+            name: "chooses places on one half of the light only, a triangle",
+            hint: "The light has four corners: into which of them do your places come?",
+            answer: |q| {
+                seen(
+                    q,
+                    16,
+                    |u| if u.element_sum() > 1.0 { 1.0 - u } else { u },
+                    [0.0, 1.0],
+                )
+            },
+        },
+        Mistake {
+            name: "chooses places on a disc inside the light",
+            hint: "Do your places come into the light's corners?",
+            answer: |q| {
+                seen(
+                    q,
+                    16,
+                    |u| 0.5 + 0.5 * u.x.sqrt() * Vec2::from_angle(TAU * u.y),
+                    [0.0, 1.0],
+                )
+            },
+        },
+        Mistake {
+            name: "multiplies each sample by the cosine at the light",
+            hint: "The fraction is one of the light's area: how large is it where nothing is in the way?",
+            answer: by_cosine,
+        },
+        Mistake {
+            name: "divides by one sample less than it takes",
+            hint: "Where nothing is in the way, is your fraction exactly 1? How many samples do you take, and by which number do you divide?",
+            answer: |q| {
+                let n = q.samples as f32;
+                exact(q)
+                    .iter()
+                    .map(|f| f * n / (n - 1.0).max(1.0))
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "begins to count the samples that are seen at 1",
+            hint: "Where nothing of the light is seen, is your fraction exactly 0? Which number do you begin with?",
+            answer: |q| {
+                exact(q)
+                    .iter()
+                    .map(|f| f + 1.0 / q.samples as f32)
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "takes any ball on the line to the light for an obstacle, behind the point and behind the light too",
+            hint: "A line has no ends: between which two points of it are obstacles?",
+            answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, f32::INFINITY]),
         },
     ];
 }
@@ -527,6 +598,22 @@ fn just_beside(ball: &mut Ball, from: Vec3, height: f32, is_free: bool) {
     let sign = if is_free { 1.0 } else { -1.0 };
     let side = way.cross(Vec3::X).normalize_or(Vec3::Z);
     ball.center = on_the_way + (ball.radius + sign * apart) * side;
+}
+
+/// The fractions made of what each point sees past no ball, and past each of the balls alone.
+fn past_each(q: &VisibleFraction, made: fn(f32, &[f32]) -> f32) -> Vec<f32> {
+    let past = |balls: &[Ball]| VisibleFraction::misread(q, |q| q.balls = balls.to_vec());
+    let alone: Vec<_> = q.balls.chunks(1).map(past).collect();
+    let of_point = |(i, free)| {
+        let alone: Vec<f32> = alone.iter().map(|fractions| fractions[i]).collect();
+        made(free, &alone)
+    };
+    past(&[]).into_iter().enumerate().map(of_point).collect()
+}
+
+/// A fraction less what each ball alone would hide of it.
+fn less_each(free: f32, alone: &[f32]) -> f32 {
+    free - alone.iter().map(|one| free - one).sum::<f32>()
 }
 
 /// The answer for balls of other radii.

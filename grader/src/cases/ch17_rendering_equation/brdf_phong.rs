@@ -194,5 +194,55 @@ impl Graded for BrdfPhong {
             hint: "The factor of the highlight has a π already: is there another one?",
             answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) / PI),
         },
+        Mistake {
+            name: "multiplies the matte part by the cosine",
+            hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
+            answer: |q| phong(q, cos_alpha(q), q.normal.dot(*q.toward) / PI, norm(q)),
+        },
+        Mistake {
+            name: "divides the highlight by 4 times both cosines, as in a microfacet model",
+            hint: "Which models have a factor for the half vector, and is there one in yours?",
+            answer: |q| {
+                let cosines = q.normal.dot(*q.toward) * q.normal.dot(*q.view);
+                phong(q, cos_alpha(q), 1.0 / PI, 0.25 * norm(q) / cosines)
+            },
+        },
+        Mistake {
+            name: "takes the cosine of n α for the power of the cosine",
+            hint: "In cosⁿ α, what does n stand above: the angle, or the cosine?",
+            answer: |q| {
+                let angle = cos_alpha(q).clamp(-1.0, 1.0).acos();
+                let cosine = (q.exponent * angle).cos().max(0.0);
+                phong(q, 1.0, 1.0 / PI, norm(q) * cosine)
+            },
+        },
+        Mistake {
+            name: "has a highlight beyond 90° where n is 0",
+            hint: "What is 0 to the power of 0, and what is the highlight beyond 90°?",
+            answer: |q| {
+                if q.exponent == 0.0 {
+                    phong(q, 1.0, 1.0 / PI, norm(q))
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes the surface for the same from below: asks only whether light and viewer are on one side",
+            hint: "Put the light and the viewer below the surface, both: what do you return?",
+            answer: |q| {
+                let [light, viewer] = [q.toward, q.view].map(|d| q.normal.dot(*d));
+                if light < 0.0 && viewer < 0.0 {
+                    Self::misread(q, |q| q.normal = -q.normal)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the matte part by the factor (n + 2)/2π too, in place of 1/π",
+            hint: "Is the matte part sharper where n is larger?",
+            answer: |q| phong(q, cos_alpha(q), norm(q), norm(q)),
+        },
     ];
 }

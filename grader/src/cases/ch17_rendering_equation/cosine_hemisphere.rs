@@ -37,6 +37,30 @@ fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
+/// The lattice's images by these axes beside the normal, brought to length 1.
+fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
+    let turned = |u: Vec2| {
+        let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
+        (d.x * x + d.y * y + d.z * *q.normal).normalize_or_zero()
+    };
+    lattice(q.n).map(turned).collect()
+}
+
+/// The lattice's images by axes that are cross products with another vector, and not of length 1.
+fn squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
+    let x = up.cross(*q.normal);
+    beside(q, x, q.normal.cross(x))
+}
+
+/// An axis, or another where the normal is nearly along it.
+fn unless_near(q: &CosineHemisphere, axis: Vec3, other: Vec3) -> Vec3 {
+    if q.normal.dot(axis).abs() < 0.9 {
+        axis
+    } else {
+        other
+    }
+}
+
 /// Number of directions of a further question: enough that a gap among them is none by chance.
 const MANY: u32 = 1000;
 
@@ -242,8 +266,8 @@ impl Graded for CosineHemisphere {
         },
         Flaw {
             complaint: "above the surface",
-            name: "does not choose by the cosine: some heights are chosen too often",
-            hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1?",
+            name: "does not choose by the cosine, or not by the given numbers: some heights are chosen too often",
+            hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1? Are your numbers those of the task, or random ones?",
         },
     ];
 
@@ -346,29 +370,114 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "takes the world's x and y for the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| {
-                let warp = |u: Vec2| at_height((1.0 - u.x).sqrt(), TAU * u.y);
-                let beside =
-                    |d: Vec3| (d.x * Vec3::X + d.y * Vec3::Y + d.z * *q.normal).normalize_or_zero();
-                lattice(q.n).map(|u| beside(warp(u))).collect()
-            },
+            answer: |q| beside(q, Vec3::X, Vec3::Y),
         },
         Mistake {
             name: "takes cross products for the axes beside the normal without bringing them to length 1",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, unless_near(q, Vec3::Y, Vec3::X)),
+        },
+        Mistake {
+            name: "takes cross products with +z for the axes beside the normal without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, unless_near(q, Vec3::Z, Vec3::X)),
+        },
+        Mistake {
+            name: "takes cross products with +x for the axes beside the normal without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, unless_near(q, Vec3::X, Vec3::Y)),
+        },
+        Mistake {
+            name: "takes cross products with +y, even where the normal is nearly along it, for the axes beside the normal without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
             answer: |q| {
-                let up = if q.normal.y.abs() < 0.9 {
-                    Vec3::Y
-                } else {
-                    Vec3::X
-                };
-                let x = up.cross(*q.normal);
-                let y = q.normal.cross(x);
-                let turned = |u: Vec2| {
+                let is_along = q.normal.y.abs() > 0.99;
+                squeezed(q, if is_along { Vec3::X } else { Vec3::Y })
+            },
+        },
+        Mistake {
+            name: "takes cross products with +z, even where the normal is nearly along it, for the axes beside the normal without bringing them to length 1",
+            hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
+            answer: |q| {
+                let is_along = q.normal.z.abs() > 0.99;
+                squeezed(q, if is_along { Vec3::X } else { Vec3::Z })
+            },
+        },
+        Mistake {
+            name: "takes +z itself for one of the two axes beside the normal",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| {
+                let up = unless_near(q, Vec3::Z, Vec3::X);
+                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
+            },
+        },
+        Mistake {
+            name: "takes +y itself for one of the two axes beside the normal",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| {
+                let up = unless_near(q, Vec3::Y, Vec3::X);
+                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
+            },
+        },
+        Mistake {
+            name: "adds a point of the upper half of the unit sphere to the normal",
+            hint: "Do the points that you add come from all sides? Which of your directions are the flattest?",
+            answer: |q| chosen(q, |how| how.cosine = |u| (0.5 + 0.5 * u).sqrt()),
+        },
+        Mistake {
+            name: "adds a point of the unit sphere to the normal, and forgets to normalise",
+            hint: "How long is the sum of two vectors of length 1?",
+            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y) + Vec3::Z),
+        },
+        Mistake {
+            name: "takes a uniform number itself for the radius on the disc, but the root of what it leaves to 1 for the height, and normalises",
+            hint: "r² and the height's square add up to 1: do they in yours?",
+            answer: |q| {
+                around(q, |u| {
+                    let (across, up) = (u.x * Vec2::from_angle(TAU * u.y), (1.0 - u.x).sqrt());
+                    across.extend(up).normalize_or_zero()
+                })
+            },
+        },
+        Mistake {
+            name: "takes 1 − u² for the cosine",
+            hint: "A number itself for the radius, or its root? And where is the root of the height?",
+            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - u * u),
+        },
+        Mistake {
+            name: "takes the root of the same number for radius and height, and normalises",
+            hint: "r² and the height's square add up to 1: do they in yours?",
+            answer: |q| {
+                around(q, |u| {
+                    let across = u.x.sqrt() * Vec2::from_angle(TAU * u.y);
+                    across.extend(u.x.sqrt()).normalize_or_zero()
+                })
+            },
+        },
+        Mistake {
+            name: "takes +y for the normal",
+            hint: "Try a normal that points down: do your directions follow it?",
+            answer: |q| Self::misread(q, |q| q.normal = Dir3::Y),
+        },
+        Mistake {
+            name: "makes directions around +z, and turns those round that point into the surface",
+            hint: "By the cosine of which angle are directions to be chosen: that to +z?",
+            answer: |q| {
+                let mut all = Self::misread(q, |q| q.normal = Dir3::Z);
+                for d in all.iter_mut().filter(|d| d.dot(*q.normal) < 0.0) {
+                    *d = -*d;
+                }
+                all
+            },
+        },
+        Mistake {
+            name: "takes the normal for the second axis, where the directions are made around the third",
+            hint: "Which of your three axes is up: y, or z?",
+            answer: |q| {
+                around(q, |u| {
                     let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
-                    (d.x * x + d.y * y + d.z * *q.normal).normalize_or_zero()
-                };
-                lattice(q.n).map(turned).collect()
+                    vec3(d.x, d.z, d.y)
+                })
             },
         },
     ];

@@ -11,17 +11,20 @@ use raybook::sample::hemisphere;
 use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
 use std::f32::consts::{PI, TAU};
 
+/// The integral's cells from the horizon up, and round the normal.
+const RINGS: u32 = 48;
+const SECTORS: u32 = 40;
+
 /// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
 fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb; N] {
-    let (rings, sectors) = (48, 40);
     let basis = Basis::around(normal);
     let mut sums = [Rgb::BLACK; N];
-    for i in 0..rings * sectors {
-        let z = ((i / sectors) as f32 + 0.5) / rings as f32;
-        let phi = TAU * ((i % sectors) as f32 + 0.5) / sectors as f32;
+    for i in 0..RINGS * SECTORS {
+        let z = ((i / SECTORS) as f32 + 0.5) / RINGS as f32;
+        let phi = TAU * ((i % SECTORS) as f32 + 0.5) / SECTORS as f32;
         let d = Dir3::new_or(basis.to_world(at_height(z, phi)), normal);
         for (sum, value) in sums.iter_mut().zip(g(d)) {
-            *sum += value * (TAU / (rings * sectors) as f32);
+            *sum += value * (TAU / (RINGS * SECTORS) as f32);
         }
     }
     sums
@@ -76,12 +79,52 @@ fn matte(q: &ReflectedRadiance, d: Dir3) -> f32 {
 
 /// The density of the highlight's lobe, of this exponent, around the mirrored viewer.
 fn highlight(q: &ReflectedRadiance, n: f32, d: Dir3) -> f32 {
-    lobe(-*mirror::reflect(q.view, q.normal), n, d)
+    lobe(*mirrored(q), n, d)
 }
 
 /// The density of directions of which half are chosen by the cosine and half by the highlight.
 fn both(q: &ReflectedRadiance, d: Dir3) -> f32 {
     0.5 * (matte(q, d) + highlight(q, q.exponent, d))
+}
+
+/// The viewer's mirror direction.
+fn mirrored(q: &ReflectedRadiance) -> Dir3 {
+    -mirror::reflect(q.view, q.normal)
+}
+
+/// 1/sin θ, which is infinite at the pole: its mean over a ring of the integral's.
+fn inverse_sine(cosine: f32) -> f32 {
+    let half = 0.5 / RINGS as f32;
+    let [upper, lower] = [cosine + half, cosine - half].map(|z| z.clamp(0.0, 1.0).asin());
+    RINGS as f32 * (upper - lower)
+}
+
+/// The density of directions at all heights alike, from an axis to 90° from it.
+fn half_sphere(axis: Vec3, d: Dir3) -> f32 {
+    if d.dot(axis) > 0.0 {
+        hemisphere::UNIFORM
+    } else {
+        0.0
+    }
+}
+
+/// The BRDF with factors before its matte part and before its highlight.
+fn brdf_by(q: &ReflectedRadiance, d: Dir3, matte: f32, gloss: f32) -> Rgb {
+    let mut brdf = q.brdf();
+    brdf.diffuse = brdf.diffuse * matte;
+    brdf.specular = brdf.specular * gloss;
+    brdf.value(q.normal, q.view, d)
+}
+
+/// What the highlight's directions below the surface bring with a weight, if their cosine counts as positive and the BRDF goes on there.
+fn from_below(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
+    let n = q.exponent;
+    let [sum] = integral(-q.normal, |d| {
+        let shine = (n + 2.0) / TAU * d.dot(*mirrored(q)).max(0.0).powf(n);
+        let brdf = q.diffuse * (1.0 / PI) + q.specular * shine;
+        [brdf * q.sky(d) * -cosine(q, d) * weight(q, d)]
+    });
+    sum
 }
 
 /// The integral, and the standard deviation of the estimate that scatters most among those that may well be written.
@@ -421,8 +464,8 @@ impl Graded for ReflectedRadiance {
             answer: |q| estimated(q, |q, d| highlight(q, q.exponent, d) / both(q, d)),
         },
         Mistake {
-            name: "takes the sky for black where it is more than 90° from its zenith",
-            hint: "The sky's formula holds for every angle from its zenith: is it 0 at 90°?",
+            name: "takes the sky for black where it is more than 90° from its zenith, or chooses no directions there",
+            hint: "The sky's formula holds for every angle from its zenith: is it 0 at 90°? And around which axis are your directions?",
             answer: |q| {
                 under(q, |q, d| {
                     if d.dot(*q.zenith) < 0.0 {
@@ -441,6 +484,175 @@ impl Graded for ReflectedRadiance {
                     q.radiance * (0.5 + 0.5 * d.dot(*q.zenith).max(0.0))
                 })
             },
+        },
+        Mistake {
+            name: "divides by the number of samples above the surface only, where half of them are chosen on the whole sphere",
+            hint: "A direction below the surface brings no light; is it a sample all the same?",
+            answer: |q| {
+                let [above] = integral(q.normal, |d| {
+                    let sphere = 0.5 * hemisphere::UNIFORM;
+                    [Rgb::gray(0.5 * (sphere + highlight(q, q.exponent, d)))]
+                });
+                integrated(q, |_| {}) / above.g
+            },
+        },
+        Mistake {
+            name: "counts directions below the surface, whose cosine is negative",
+            hint: "May a direction below the surface take light away?",
+            answer: |q| {
+                let is_reached = |q: &Self, d: Dir3| f32::from(highlight(q, q.exponent, d) > 0.0);
+                Self::right(q) + from_below(q, is_reached) * -1.0
+            },
+        },
+        Mistake {
+            name: "takes the absolute value of the cosine, so that directions below the surface count, too",
+            hint: "Does light come through the surface from below?",
+            answer: |q| {
+                let share = |q: &Self, d: Dir3| {
+                    let gloss = highlight(q, q.exponent, d);
+                    gloss / (gloss - cosine(q, d) / PI).max(1e-9)
+                };
+                Self::right(q) + from_below(q, share)
+            },
+        },
+        Mistake {
+            name: "has the sky darkest at its zenith",
+            hint: "Where is ½ (1 + cos γ) largest? To where does your direction point: to the sky, or from it?",
+            answer: |q| under(q, |q, d| q.radiance * (0.5 - 0.5 * d.dot(*q.zenith))),
+        },
+        Mistake {
+            name: "takes 1 + ½ cos γ for the sky, without the brackets of ½ (1 + cos γ)",
+            hint: "How bright is the sky at its zenith, where cos γ is 1?",
+            answer: |q| under(q, |q, d| q.radiance * (1.0 + 0.5 * d.dot(*q.zenith))),
+        },
+        Mistake {
+            name: "takes ½ + cos γ for the sky, without the brackets of ½ (1 + cos γ)",
+            hint: "How bright is the sky at its zenith, where cos γ is 1?",
+            answer: |q| under(q, |q, d| q.radiance * (0.5 + d.dot(*q.zenith))),
+        },
+        Mistake {
+            name: "looks at the sky along the normal, whatever direction is chosen",
+            hint: "From which directions does light arrive at the surface?",
+            answer: |q| under(q, |q, _| q.sky(q.normal)),
+        },
+        Mistake {
+            name: "looks at the sky in the viewer's mirror direction, whatever direction is chosen",
+            hint: "A mirror shows one place of the sky: and a matte surface?",
+            answer: |q| under(q, |q, _| q.sky(mirrored(q))),
+        },
+        Mistake {
+            name: "forgets the π under the matte part of the BRDF",
+            hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
+            answer: |q| integrated(q, |how| how.brdf = |q, d| brdf_by(q, d, PI, 1.0)),
+        },
+        Mistake {
+            name: "forgets the factor of the highlight in the BRDF",
+            hint: "The sharper a highlight, the brighter it must be in its middle to send out the same light.",
+            answer: |q| {
+                integrated(q, |how| {
+                    how.brdf = |q, d| brdf_by(q, d, 1.0, TAU / (q.exponent + 2.0));
+                })
+            },
+        },
+        Mistake {
+            name: "looks for the highlight at the viewer, without mirroring",
+            hint: "Where does a mirror show the light: where you are, or on the other side of the normal?",
+            answer: |q| {
+                integrated(q, |how| {
+                    how.brdf = |q, d| q.brdf().value(q.normal, mirrored(q), d);
+                })
+            },
+        },
+        Mistake {
+            name: "takes the half vector's N·H for the highlight's cosine in the BRDF",
+            hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
+            answer: |q| {
+                integrated(q, |how| {
+                    how.brdf = |q, d| {
+                        let half = Dir3::new_or(*d + *q.view, q.normal);
+                        let shine = half.dot(*q.normal).max(0.0).powf(q.exponent);
+                        let shine = (q.exponent + 2.0) / TAU * shine;
+                        q.diffuse * (1.0 / PI) + q.specular * shine
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "forgets the exponent of the highlight's cosine in the BRDF",
+            hint: "A larger n, a smaller highlight: does yours become smaller?",
+            answer: |q| {
+                integrated(q, |how| {
+                    how.brdf = |q, d| {
+                        let mut brdf = q.brdf();
+                        brdf.exponent = 1.0;
+                        brdf.specular = brdf.specular * ((q.exponent + 2.0) / 3.0);
+                        brdf.value(q.normal, q.view, d)
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "chooses half of the directions around the viewer, with the density of those around the mirrored viewer",
+            hint: "Around which axis is the highlight, for given directions to the viewer?",
+            answer: |q| {
+                estimated(q, |q, d| {
+                    0.5 * (matte(q, d) + lobe(*q.view, q.exponent, d)) / both(q, d)
+                })
+            },
+        },
+        Mistake {
+            name: "takes a number to the power of 1/n, not 1/(n + 1), for the cosine in the lobe",
+            hint: "Which power of a uniform number belongs to the density (n + 1)/2π · cosⁿ α?",
+            answer: |q| {
+                estimated(q, |q, d| {
+                    let axis = *mirrored(q);
+                    // Where n is below 1, that density is infinite at 90° from the axis.
+                    let steep = lobe(axis, q.exponent, d) / d.dot(axis).max(1e-3);
+                    let steep = q.exponent / (q.exponent + 1.0) * steep;
+                    0.5 * (matte(q, d) + steep) / both(q, d)
+                })
+            },
+        },
+        Mistake {
+            name: "takes a uniform number itself for the cosine, in both ways of choosing",
+            hint: "Which power of a uniform number belongs to the density (n + 1)/2π · cosⁿ α?",
+            answer: |q| {
+                estimated(q, |q, d| {
+                    let axes = [*q.normal, *mirrored(q)];
+                    let [matte, gloss] = axes.map(|axis| half_sphere(axis, d));
+                    0.5 * (matte + gloss) / both(q, d)
+                })
+            },
+        },
+        Mistake {
+            name: "adds up what both ways of choosing give, each divided by its own density",
+            hint: "Either way gives all of the light that its directions reach: what do you get of both together?",
+            answer: |q| {
+                estimated(q, |q, d| {
+                    let is_reached = highlight(q, q.exponent, d) > 0.0;
+                    if is_reached { 2.0 } else { 1.0 }
+                })
+            },
+        },
+        Mistake {
+            name: "spreads the angle to the normal evenly, and divides by the uniform density",
+            hint: "Is p the density of the directions that you really chose? A ring around the normal gets larger with its angle.",
+            answer: |q| estimated(q, |q, d| 2.0 / PI * inverse_sine(cosine(q, d))),
+        },
+        Mistake {
+            name: "spreads the angle to the normal evenly, and divides by the density of the cosine",
+            hint: "Is p the density of the directions that you really chose? A ring around the normal gets larger with its angle.",
+            answer: |q| {
+                estimated(q, |q, d| {
+                    let cosine = cosine(q, d);
+                    inverse_sine(cosine) / (PI * cosine)
+                })
+            },
+        },
+        Mistake {
+            name: "takes a uniform number itself for the radius on the disc, and divides by the density of the cosine",
+            hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
+            answer: |q| estimated(q, |q, d| 0.5 * inverse_sine(cosine(q, d))),
         },
     ];
 }

@@ -48,6 +48,13 @@ fn divided(q: &DirectionToCube, axis: usize) -> CubePlace {
     }
 }
 
+/// The right place, with other numbers of the six faces.
+fn numbered(q: &DirectionToCube, faces: [u32; 6]) -> CubePlace {
+    let p = DirectionToCube::right(q);
+    let face = faces[p.face as usize];
+    CubePlace { face, ..p }
+}
+
 /// Left and right exchanged.
 fn left_for_right(mut p: CubePlace) -> CubePlace {
     p.u = 1.0 - p.u;
@@ -432,11 +439,7 @@ impl Graded for DirectionToCube {
         Mistake {
             name: "exchanges the numbers of the faces of x with those of z",
             hint: "Which numbers have the faces +x and -x, and which +z and -z?",
-            answer: |q| {
-                let p = Self::right(q);
-                let face = [4, 5, 2, 3, 0, 1][p.face as usize];
-                CubePlace { face, ..p }
-            },
+            answer: |q| numbered(q, [4, 5, 2, 3, 0, 1]),
         },
         Mistake {
             name: "spreads the places on a face by the angle, not by its tangent",
@@ -470,6 +473,58 @@ impl Graded for DirectionToCube {
             name: "has the floor -y turned by a quarter turn, counter-clockwise",
             hint: "Look at -z and lower your eyes: at which edge of that face do you arrive?",
             answer: |q| on(q, &[3], counter_clockwise),
+        },
+        Mistake {
+            name: "exchanges the numbers of the faces of y with those of z",
+            hint: "Which numbers have the faces +y and -y, and which +z and -z?",
+            answer: |q| numbered(q, [0, 1, 4, 5, 2, 3]),
+        },
+        Mistake {
+            name: "exchanges the numbers of the faces of x with those of y",
+            hint: "Which numbers have the faces +x and -x, and which +y and -y?",
+            answer: |q| numbered(q, [2, 3, 0, 1, 4, 5]),
+        },
+        Mistake {
+            name: "has left and right exchanged on the walls -x and -z",
+            hint: "Stand in the cube and look at those walls: what is on your right?",
+            answer: |q| on(q, &[1, 5], left_for_right),
+        },
+        Mistake {
+            name: "has left and right exchanged on the walls +x and +z",
+            hint: "Stand in the cube and look at those walls: what is on your right?",
+            answer: |q| on(q, &[0, 4], left_for_right),
+        },
+        Mistake {
+            name: "has left and right exchanged on the four walls",
+            hint: "Stand in the cube and look at those walls: what is on your right?",
+            answer: |q| on(q, &[0, 1, 4, 5], left_for_right),
+        },
+        Mistake {
+            name: "has the four walls upside down",
+            hint: "v runs downwards: what is v on a wall for a direction a little above the horizon?",
+            answer: |q| on(q, &[0, 1, 4, 5], top_for_bottom),
+        },
+        Mistake {
+            name: "goes by OpenGL's table of cube maps, which shows the faces from outside",
+            hint: "OpenGL looks at the cube from outside: where do you stand here?",
+            answer: |q| {
+                let p = on(q, &[2, 3], top_for_bottom);
+                if matches!(p.face, 2 | 3) {
+                    p
+                } else {
+                    left_for_right(p)
+                }
+            },
+        },
+        Mistake {
+            name: "has the ceiling and the floor turned by a quarter turn, clockwise",
+            hint: "Look at -z and raise or lower your eyes: at which edge of those faces do you arrive?",
+            answer: |q| on(q, &[2, 3], clockwise),
+        },
+        Mistake {
+            name: "has the ceiling and the floor turned by a quarter turn, counter-clockwise",
+            hint: "Look at -z and raise or lower your eyes: at which edge of those faces do you arrive?",
+            answer: |q| on(q, &[2, 3], counter_clockwise),
         },
     ];
 

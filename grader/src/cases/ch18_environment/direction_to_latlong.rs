@@ -123,6 +123,44 @@ impl Graded for DirectionToLatlong {
             hint: "Which two components does the angle around the y axis come from, and in which order?",
             answer: |q| Self::right(&turned(q, |d| vec3(-d.z, d.y, d.x))),
         },
+        Mistake {
+            name: "returns the angles, not their shares of the way round and of the way down",
+            hint: "In which units are the two numbers of a place: in radians, or as shares of the map?",
+            answer: |q| {
+                let right = Self::right(q);
+                PI as f32 * vec2(2.0 * right.x, right.y)
+            },
+        },
+        Mistake {
+            name: "returns the angles, the one around from −π to π",
+            hint: "In which units are the two numbers of a place: in radians, or as shares of the map? And where does the map begin?",
+            answer: |q| {
+                let right = Self::right(q);
+                PI as f32 * vec2(2.0 * right.x - 1.0, right.y)
+            },
+        },
+        Mistake {
+            name: "takes the angle above the horizon for the angle from +y",
+            hint: "What is v for +y, straight up, and for the horizon?",
+            answer: |q| {
+                let right = Self::right(q);
+                vec2(right.x, 0.5 - right.y)
+            },
+        },
+        Mistake {
+            name: "takes the arc sine for the angle around, so that what is behind comes to the front",
+            hint: "Two angles around have the same sine: how do you tell front from back?",
+            answer: |q| Self::right(&turned(q, |d| vec3(d.x, d.y, -d.z.abs()))),
+        },
+        Mistake {
+            name: "takes the arc cosine of −z itself for the angle around",
+            hint: "Halfway up the sky, ahead: how long is what is left of the direction without its height?",
+            answer: |q| {
+                let d = q.direction;
+                let phi = (-d.z).clamp(-1.0, 1.0).acos().copysign(d.x);
+                vec2(0.5 + phi / (2.0 * PI as f32), Self::right(q).y)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -138,6 +138,7 @@ pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
             }
         }
     }
+    are_independent(&within)?;
     for (places, what) in within.into_iter().zip([
         "of a texel's width, from its left edge",
         "of a texel's height, by area from its upper edge",
@@ -149,6 +150,19 @@ pub fn together(answers: &[(SampleEnvironment, Vec<Vec3>)]) -> Verdict {
             let which = if off[i] > 0.0 { more } else { less };
             return Err(format!("{which} are chosen slightly too often"));
         }
+    }
+    Ok(())
+}
+
+/// Whether the places along a texel's width have nothing to do with those along its height: their correlation.
+///
+/// Measured for 60 students with 34 maps each and 32 right methods: at most 0.016. Who uses one number for both has 1.
+fn are_independent([across, down]: &[Vec<f64>; 2]) -> Verdict {
+    const CORRELATION: f64 = 0.1;
+    let products = across.iter().zip(down).map(|(x, y)| (x - 0.5) * (y - 0.5));
+    let correlation = 12.0 * products.sum::<f64>() / across.len() as f64;
+    if correlation.abs() > CORRELATION {
+        return Err("the directions lie along a diagonal of their texels".to_owned());
     }
     Ok(())
 }

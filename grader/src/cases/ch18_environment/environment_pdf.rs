@@ -3,7 +3,7 @@
 use super::OfMap;
 use super::{cell, toward};
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use glam::vec2;
+use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::light::environment::latlong;
 use raybook::math::pcg::Pcg;
 use raybook_chapters::kit::palette::viridis;
@@ -58,6 +58,35 @@ fn by_sines(q: &EnvironmentPdf, place: f64) -> f32 {
         (map.texel(x, y) / (sum * texel)) as f32
     } else {
         0.0
+    }
+}
+
+/// The radiance at a place of the map, in between that of the four nearest texels' middles: columns go round, rows end.
+fn between(map: &SampleEnvironment, place: Vec2) -> f64 {
+    let at = place * vec2(map.width as f32, map.height as f32) - 0.5;
+    let [right, down] = (at - at.floor()).as_dvec2().to_array();
+    let texel = |x: i32, y: i32| {
+        let x = (at.x.floor() as i32 + x).rem_euclid(map.width as i32);
+        let y = (at.y.floor() as i32 + y).clamp(0, map.height as i32 - 1);
+        map.texel(x as usize, y as usize)
+    };
+    let row = |y: i32| (1.0 - right) * texel(0, y) + right * texel(1, y);
+    (1.0 - down) * row(0) + down * row(1)
+}
+
+/// The right density in a direction that is turned around +y, a quarter turn at a time.
+fn quarters(q: &EnvironmentPdf, turns: usize) -> f32 {
+    let quarter = |d: Vec3| vec3(-d.z, d.y, d.x);
+    let d = (0..turns).fold(*q.direction, |d, _| quarter(d));
+    EnvironmentPdf::misread(q, |q| q.direction = toward(d.x, d.y, d.z))
+}
+
+/// The right density, but for a black map.
+fn in_the_dark(q: &EnvironmentPdf, density: f32) -> f32 {
+    if q.texels.iter().all(|t| *t == 0.0) {
+        density
+    } else {
+        EnvironmentPdf::right(q)
     }
 }
 
@@ -350,6 +379,92 @@ impl Graded for EnvironmentPdf {
             name: "is one row too high",
             hint: "The place 0 is in the first row, whose number is 0: which number does your formula give?",
             answer: |q| neighbour(q, 0, -1),
+        },
+        Mistake {
+            name: "looks half a turn away on the map",
+            hint: "Which direction is in the middle of the map, and to which side of it is +x?",
+            answer: |q| quarters(q, 2),
+        },
+        Mistake {
+            name: "looks a quarter turn away on the map, to the right",
+            hint: "Which direction is in the middle of the map, and to which side of it is +x?",
+            answer: |q| quarters(q, 1),
+        },
+        Mistake {
+            name: "looks a quarter turn away on the map, to the left",
+            hint: "Which direction is in the middle of the map, and to which side of it is +x?",
+            answer: |q| quarters(q, 3),
+        },
+        Mistake {
+            name: "returns 1/(4π) for a black map",
+            hint: "With which probability does a black map choose a direction?",
+            answer: |q| in_the_dark(q, (0.25 / PI) as f32),
+        },
+        Mistake {
+            name: "returns NaN for a black map",
+            hint: "A black map has no light: which two numbers do you divide?",
+            answer: |q| in_the_dark(q, f32::NAN),
+        },
+        Mistake {
+            name: "takes the sine at a row's lower edge for the whole row",
+            hint: "How large is the solid angle of your last row?",
+            answer: |q| by_sines(q, 1.0),
+        },
+        Mistake {
+            name: "goes over evenly from texel to texel, as between the pixels of a picture",
+            hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
+            answer: |q| {
+                let map = q.map();
+                let all = map.all_light();
+                if all > 0.0 {
+                    (between(&map, latlong::place(q.direction)) / all) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the row's probability with that of the column in the whole map",
+            hint: "The column is chosen after the row: how probable is it in that row?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let row: f64 = (0..q.width as usize).map(|x| map.share(x, y)).sum();
+                let column: f64 = (0..q.height as usize).map(|y| map.share(x, y)).sum();
+                if map.all_light() > 0.0 {
+                    (row * column / map.solid_angle(y)) as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies the place by one column and one row less than there are",
+            hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
+            answer: |q| {
+                let place = latlong::place(q.direction);
+                let fewer = vec2(q.width as f32, q.height as f32) - 1.0;
+                let [x, y] = (place * fewer).to_array();
+                let (right, down) = q.texel();
+                neighbour(q, x as i32 - right as i32, y as i32 - down as i32)
+            },
+        },
+        Mistake {
+            name: "squares the radiance",
+            hint: "A texel twice as bright should be chosen twice as often: how large is its density?",
+            answer: |q| Self::misread(q, |q| q.texels.iter_mut().for_each(|t| *t *= *t)),
+        },
+        Mistake {
+            name: "takes all rows to be chosen equally often",
+            hint: "One row is dark and another one bright: how probable is each of them?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let row: f64 = (0..q.width as usize).map(|x| map.texel(x, y)).sum();
+                if row > 0.0 {
+                    (map.texel(x, y) / row / f64::from(q.height) / map.solid_angle(y)) as f32
+                } else {
+                    0.0
+                }
+            },
         },
     ];
 

@@ -71,20 +71,48 @@ fn elsewhere(
     q: &SampleEnvironment,
     change: fn(&SampleEnvironment, [usize; 2], [f32; 2]) -> Place,
 ) -> Vec<Vec3> {
-    let height = q.height as usize;
-    let edges = |row: usize| [row, row + 1].map(|row| latlong::cosine(row, height));
     let moved = |d: &Vec3| {
         let place = latlong::place(toward(d.x, d.y, d.z));
         let (x, y) = (cell(place.x, q.width), cell(place.y, q.height));
-        let [top, bottom] = edges(y);
+        let [top, bottom] = edges(q, y);
         let down = (top - f64::from(d.y)) / (top - bottom);
         let right = place.x * q.width as f32 - x as f32;
-        let ([x, y], [right, down]) = change(q, [x, y], [right, down as f32]);
-        let [top, bottom] = edges(y);
-        let cosine = by_solid_angle(top, bottom, f64::from(down));
-        *latlong::toward((x as f32 + right) / q.width as f32, cosine)
+        direction(q, change(q, [x, y], [right, down as f32]))
     };
     SampleEnvironment::right(q).iter().map(moved).collect()
+}
+
+/// The cosines of the angles from +y at a row's upper and lower edge.
+fn edges(q: &SampleEnvironment, row: usize) -> [f64; 2] {
+    [row, row + 1].map(|row| latlong::cosine(row, q.height as usize))
+}
+
+fn direction(q: &SampleEnvironment, ([x, y], [right, down]): Place) -> Vec3 {
+    let [top, bottom] = edges(q, y);
+    let cosine = by_solid_angle(top, bottom, f64::from(down));
+    *latlong::toward((x as f32 + right) / q.width as f32, cosine)
+}
+
+/// The directions of a sampler that has all texels in one list. `place` is made of the number of the texel that u.x chooses, of the share of it that
+/// is left, and of u.
+fn in_one_list(
+    q: &SampleEnvironment,
+    place: fn(&SampleEnvironment, usize, f32, Vec2) -> Place,
+) -> Vec<Vec3> {
+    let width = q.width as usize;
+    let lights = (0..q.texels.len()).map(|i| q.light(i % width, i / width));
+    let list = Piecewise::new(lights);
+    let chosen = |u: Vec2| {
+        let texel = list.choose(u.x)?;
+        Some(direction(q, place(q, texel.cell, texel.within, u)))
+    };
+    lattice(POINTS).filter_map(chosen).collect()
+}
+
+/// The column and the row of a texel of the list.
+fn in_rows(q: &SampleEnvironment, texel: usize) -> [usize; 2] {
+    let width = q.width as usize;
+    [texel % width, texel / width]
 }
 
 impl Graded for SampleEnvironment {
@@ -207,6 +235,11 @@ impl Graded for SampleEnvironment {
             complaint: "of a texel's height",
             name: "does not spread the directions evenly from a texel's upper edge to its lower one",
             hint: "Can a direction be anywhere in its texel, close to its upper edge and to its lower one? By the angle, or by the area?",
+        },
+        Flaw {
+            complaint: "a diagonal of their texels",
+            name: "makes both places in a texel, from left to right and from top to bottom, of one number",
+            hint: "How many numbers are given for a direction, and of which of them is each of its two places in the texel made?",
         },
         Flaw {
             complaint: "rows at",
@@ -443,6 +476,67 @@ impl Graded for SampleEnvironment {
                     *latlong::toward(0.25 + 0.5 * place.x, f64::from(d.y))
                 };
                 all.map(halved).collect()
+            },
+        },
+        Mistake {
+            name: "takes the number that chose a texel for the place in it as it is",
+            hint: "The numbers that choose a texel are close together: how do they become numbers from 0 to 1?",
+            answer: |q| in_one_list(q, |q, texel, _, u| (in_rows(q, texel), u.to_array())),
+        },
+        Mistake {
+            name: "takes the numbers that chose row and column for the place in the texel as they are",
+            hint: "The numbers that choose a row are close together: how do they become numbers from 0 to 1?",
+            answer: |q| {
+                let places = Self::right(q).into_iter().zip(lattice(POINTS));
+                let moved = |(d, u): (Vec3, Vec2)| {
+                    let place = latlong::place(toward(d.x, d.y, d.z));
+                    let texel = [cell(place.x, q.width), cell(place.y, q.height)];
+                    direction(q, (texel, u.to_array()))
+                };
+                places.map(moved).collect()
+            },
+        },
+        Mistake {
+            name: "takes the texel before the one that the number falls into",
+            hint: "Add up the lights: where in the sums does the first texel begin, and where does it end?",
+            answer: |q| {
+                in_one_list(q, |q, texel, left, u| {
+                    (in_rows(q, texel.saturating_sub(1)), [left, u.y])
+                })
+            },
+        },
+        Mistake {
+            name: "takes the texel after the one that the number falls into",
+            hint: "Add up the lights: where in the sums does the first texel begin, and where does it end?",
+            answer: |q| {
+                in_one_list(q, |q, texel, left, u| {
+                    let next = (texel + 1).min(q.texels.len() - 1);
+                    (in_rows(q, next), [left, u.y])
+                })
+            },
+        },
+        Mistake {
+            name: "makes every circle of latitude as large as the horizon, and normalises",
+            hint: "Near a pole, how far from the axis is a direction of length 1?",
+            answer: |q| {
+                let all = Self::right(q).into_iter();
+                let level = |d: Vec3| Vec3::new(d.x, 0.0, d.z).normalize_or_zero();
+                all.map(|d| (level(d) + d.y * Vec3::Y).normalize_or_zero())
+                    .collect()
+            },
+        },
+        Mistake {
+            name: "always takes the brightest texel",
+            hint: "Two texels are lit, one a little brighter: does the other one get no direction?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let most = q.texels.iter().copied().fold(0.0, f32::max);
+                        let is_brightest = q.texel(x, y) == f64::from(most);
+                        if is_brightest { q.light(x, y) } else { 0.0 }
+                    },
+                    by_solid_angle,
+                )
             },
         },
     ];

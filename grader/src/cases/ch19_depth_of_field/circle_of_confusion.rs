@@ -159,5 +159,46 @@ impl Graded for CircleOfConfusion {
                 }
             },
         },
+        Mistake {
+            name: "returns infinity for a star",
+            hint: "Go far away from the lens: does the disc on the film grow without end?",
+            answer: |q| {
+                if q.distance.is_infinite() {
+                    f32::INFINITY
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "returns 0 for a point that is nearer than the focal length",
+            hint: "The rays of such a point meet nowhere behind the lens: does the film remain dark?",
+            answer: |q| {
+                if q.distance <= q.focal_length {
+                    0.0
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "takes f·s/(s + f) for the distance of the film",
+            hint: "1/f = 1/s + 1/film: solve for the film's distance. Is your film farther from the lens than the focal length, or nearer?",
+            answer: |q| {
+                let film = q.focal_length * q.focus / (q.focus + q.focal_length);
+                let sharp = 1.0 / q.focal_length - 1.0 / q.distance;
+                q.lens().aperture() * (1.0 - film * sharp).abs()
+            },
+        },
+        Mistake {
+            name: "ignores the distance: blurs everything as much as a star",
+            hint: "What is in focus is a point on the film: how large is it in your picture?",
+            answer: |q| Self::misread(q, |q| q.distance = f32::INFINITY),
+        },
+        Mistake {
+            name: "takes the film's distance over the f-number for the aperture",
+            hint: "Does the opening of the lens change when you focus?",
+            answer: |q| Self::right(q) * q.lens().film_distance() / q.focal_length,
+        },
     ];
 }

@@ -36,6 +36,11 @@ fn mapped(q: &ConcentricDisk, map: fn(Vec2) -> Vec2) -> Vec<Vec2> {
     in_disc(q, |how| how.map = map)
 }
 
+/// A map by radius and angle.
+fn by_angle(u: Vec2) -> Vec2 {
+    u.x.max(0.0).sqrt() * Vec2::from_angle(TAU * u.y)
+}
+
 /// Radius and angle of the concentric map for (a, b) = 2u − 1.
 fn by_sides(a: f32, b: f32) -> (f32, f32) {
     if a.abs() > b.abs() {
@@ -202,8 +207,10 @@ impl Graded for ConcentricDisk {
         fills(all.clone(), POINTS / all.count() as f64)
     }
 
-    fn traits(_q: &ConcentricDisk, got: &Vec<Vec2>) -> Vec<f64> {
-        traits::of_disc(got)
+    fn traits(q: &ConcentricDisk, got: &Vec<Vec2>) -> Vec<f64> {
+        let mut traits = traits::of_disc(got);
+        traits.push(got.len() as f64 / f64::from(q.n.max(1)));
+        traits
     }
 
     const FLAWS: &'static [Flaw] = &[
@@ -396,23 +403,122 @@ impl Graded for ConcentricDisk {
         Mistake {
             name: "does not bring back into the square what the shift moves out of it",
             hint: "The points are fractional parts: what becomes of a coordinate above 1?",
-            answer: |q| in_disc(q, |how| how.points = |q| shifted(q, |x| x)),
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, right| vec2(moved.x, right.y));
+                })
+            },
         },
         Mistake {
             name: "clamps to the square what the shift moves out of it",
             hint: "Many of your points are at the edge of the square: on which side does a point come in that leaves it on the right?",
-            answer: |q| in_disc(q, |how| how.points = |q| shifted(q, |x| x.clamp(0.0, 1.0))),
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points =
+                        |q| shifted(q, |moved, right| vec2(moved.x.clamp(0.0, 1.0), right.y));
+                })
+            },
+        },
+        Mistake {
+            name: "clamps both coordinates to the square after the shift",
+            hint: "Many of your points are at the edge of the square: on which side does a point come in that leaves it on the right?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, _| moved.clamp(Vec2::ZERO, Vec2::ONE));
+                })
+            },
+        },
+        Mistake {
+            name: "clamps both coordinates to the square after the shift, and goes by radius and angle",
+            hint: "Many of your points are at the rim of the disc: on which side does a point come in that leaves the square on the right?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, _| moved.clamp(Vec2::ZERO, Vec2::ONE));
+                    how.map = by_angle;
+                })
+            },
+        },
+        Mistake {
+            name: "does not bring back into the square what the shift moves out of it, and goes by radius and angle",
+            hint: "The points are fractional parts: what becomes of a coordinate above 1, and of your radius?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, right| vec2(moved.x, right.y));
+                    how.map = by_angle;
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the points that the shift moves out of the square on the right or on the left",
+            hint: "How many points are asked? On which side does a point come in that leaves the square on the right?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| {
+                        let points = shifted(q, |moved, right| vec2(moved.x, right.y));
+                        let is_inside = |u: &Vec2| (0.0..1.0).contains(&u.x);
+                        points.into_iter().filter(is_inside).collect()
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the points of the square from −1 to 1 that are outside of the disc",
+            hint: "How many points are asked? Where in the disc does a corner of the square belong?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| {
+                        let is_inside = |u: &Vec2| (2.0 * *u - 1.0).length() <= 1.0;
+                        q.points().filter(is_inside).collect()
+                    };
+                    how.map = |u| 2.0 * u - 1.0;
+                })
+            },
+        },
+        Mistake {
+            name: "takes the square of a uniform number for the radius",
+            hint: "The inner half of the radius holds a quarter of the area: how many of your points?",
+            answer: |q| mapped(q, |u| u.x * u.x * Vec2::from_angle(TAU * u.y)),
+        },
+        Mistake {
+            name: "normalises all points, and so puts them on the rim",
+            hint: "How many of your points are nearer to the middle than half of the radius?",
+            answer: |q| mapped(q, |u| (2.0 * u - 1.0).normalize_or_zero()),
+        },
+        Mistake {
+            name: "moves the points of the square that are outside of the disc to its rim",
+            hint: "How many of your points are on the rim itself?",
+            answer: |q| mapped(q, |u| (2.0 * u - 1.0).clamp_length_max(1.0)),
+        },
+        Mistake {
+            name: "takes a uniform number itself for the angle, without 2π",
+            hint: "From where to where does your angle go?",
+            answer: |q| mapped(q, |u| u.x.sqrt() * Vec2::from_angle(u.y)),
+        },
+        Mistake {
+            name: "compares both coordinates with their signs, not by their absolute values",
+            hint: "(−0.9, 0.1) is on the left: which of the two coordinates is its radius?",
+            answer: |q| {
+                mapped(q, |u| {
+                    let (a, b) = (2.0 * u - 1.0).into();
+                    let quotient =
+                        |over: f32, under: f32| if under == 0.0 { 0.0 } else { over / under };
+                    if a > b {
+                        a * Vec2::from_angle(FRAC_PI_4 * quotient(b, a))
+                    } else {
+                        b * Vec2::from_angle(FRAC_PI_2 - FRAC_PI_4 * quotient(a, b))
+                    }
+                })
+            },
         },
     ];
 }
 
-/// The points of the square with x where some rule puts it after the shift.
-fn shifted(q: &ConcentricDisk, place: fn(f32) -> f32) -> Vec<Vec2> {
+/// The points of the square where some rule puts them, which is told where the shift moves them and where they should be.
+fn shifted(q: &ConcentricDisk, place: fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     let lattice = ConcentricDisk {
         shift: Vec2::ZERO,
         ..q.clone()
     };
     let rows = lattice.points().zip(q.points());
-    rows.map(|(u, right)| vec2(place(u.x + q.shift.x), right.y))
-        .collect()
+    rows.map(|(u, right)| place(u + q.shift, right)).collect()
 }

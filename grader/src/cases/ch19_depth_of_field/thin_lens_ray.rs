@@ -205,6 +205,52 @@ impl Graded for ThinLensRay {
             hint: "Which place of the film is straight ahead of the lens: (0, 0), or (½, ½)?",
             answer: |q| Self::misread(q, |q| q.film += 0.5),
         },
+        Mistake {
+            name: "moves the start along the axes of the world, not along those of the camera",
+            hint: "Turn the camera: does your lens turn with it?",
+            answer: |q| {
+                let start = Self::right(q).origin;
+                let sharp = q.in_plane(&q.central());
+                let away = start - q.lens_middle;
+                let origin = q.lens_middle + vec3(away.dot(*q.right), away.dot(*q.up), 0.0);
+                CameraRayAnswer {
+                    origin,
+                    direction: (sharp - origin).normalize_or_zero(),
+                }
+            },
+        },
+        Mistake {
+            name: "measures the distance in focus from the film, not from the lens",
+            hint: "From which of the two is the focus measured: from the lens, or from the film before it?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = q.central();
+                let ahead = q.focus - q.lens().film_distance();
+                q.toward(origin + ahead / direction.dot(*q.forward) * direction)
+            },
+        },
+        Mistake {
+            name: "puts the film one metre before the lens",
+            hint: "Where is the film, so that the plane in focus is sharp? 1/film + 1/s = 1/f.",
+            answer: |q| Self::misread(q, |q| q.plane *= q.lens().film_distance()),
+        },
+        Mistake {
+            name: "goes from the point of the lens through the place on the film",
+            hint: "Where do all rays of one place of the film meet: on the film, or in the plane in focus?",
+            answer: |q| {
+                let CameraRayAnswer { origin, direction } = q.central();
+                let ahead = q.lens().film_distance() / direction.dot(*q.forward);
+                q.toward(origin + ahead * direction)
+            },
+        },
+        Mistake {
+            name: "takes the film's distance over the f-number for the aperture",
+            hint: "Does the opening of the lens change when you focus?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.on_lens *= q.lens().film_distance() / q.focal_length
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

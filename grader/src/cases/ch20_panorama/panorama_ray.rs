@@ -166,6 +166,11 @@ impl Graded for PanoramaRay {
             hint: "A flat film sees what is ahead: where on it is what lies behind you?",
             answer: |q| flat(q, 0.5),
         },
+        Mistake {
+            name: "goes half way around from left to right, and once around from top to bottom",
+            hint: "Which of the two angles goes once around, and which only from the sky to the ground?",
+            answer: |q| along(q, PI * (q.film.x - 0.5), TAU * q.film.y - 0.5 * PI),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -129,12 +129,69 @@ impl Graded for DeflectionAngle {
             hint: "A ray may go around the hole before it leaves: which angle does the arc cosine give of a turn and a half?",
             answer: |q| Self::right(q).map(|angle| f64::from(angle).cos().acos() as f32),
         },
+        Mistake {
+            name: "lets rays fall in that come nearer to the middle than 3√3/2, which is an impact parameter and not a radius",
+            hint: "Is the smallest impact parameter of a ray that comes back also how near the ray comes?",
+            answer: |q| outside(q, CRITICAL as f32),
+        },
+        Mistake {
+            name: "lets rays fall in that come nearer to the middle than 2, as if 1 were the hole's mass",
+            hint: "From how near to the middle can a ray still come back: where is the photon sphere?",
+            answer: |q| outside(q, 2.0),
+        },
+        Mistake {
+            name: "lets rays fall in that come nearer to the middle than 3, as stones do that circle the hole",
+            hint: "From how near to the middle can a ray still come back: where is the photon sphere?",
+            answer: |q| outside(q, 3.0),
+        },
+        Mistake {
+            name: "lets rays fall in up to b = 3√3, as if 1 were the hole's mass",
+            hint: "Here the radius is 1, and the mass is half of it: which rays does the hole swallow?",
+            answer: |q| Self::right(q).filter(|_| f64::from(q.impact_parameter) > 2.0 * CRITICAL),
+        },
+        Mistake {
+            name: "takes b for how near the ray comes to the middle",
+            hint: "The hole pulls the ray: does it come as near as a straight one, or nearer?",
+            answer: |q| {
+                let b = q.impact_parameter;
+                if b > 1.5 {
+                    deflection(with_nearest(b))
+                } else {
+                    None
+                }
+            },
+        },
+        Mistake {
+            name: "takes 4/b, as if 1 were the hole's mass",
+            hint: "Here the radius is 1, and the mass is half of it: how large is 4 M/b?",
+            answer: |q| escapes(q).map(|b| 4.0 / b),
+        },
+        Mistake {
+            name: "lets rays fall in up to b = 2.6",
+            hint: "Which number is the smallest impact parameter of a ray that comes back: 2.6 itself?",
+            answer: |q| Self::right(q).filter(|_| q.impact_parameter > 2.6),
+        },
+        Mistake {
+            name: "takes twice the angle of a stone",
+            hint: "Twice the angle of Newton's law is right far away: is it near the hole?",
+            answer: |q| escapes(q).map(|b| 4.0 * (0.5 / b).atan()),
+        },
     ];
 }
 
 /// The impact parameter of a ray that does not fall in.
 fn escapes(q: &DeflectionAngle) -> Option<f32> {
     Some(q.impact_parameter).filter(|&b| f64::from(b) > CRITICAL)
+}
+
+/// The impact parameter of a ray that comes as near to the middle as this: b² = r³/(r − 1).
+fn with_nearest(r: f32) -> f32 {
+    r / (1.0 - 1.0 / r).sqrt()
+}
+
+/// The right angle of a ray that comes no nearer to the middle than this.
+fn outside(q: &DeflectionAngle, r: f32) -> Option<f32> {
+    DeflectionAngle::right(q).filter(|_| q.impact_parameter > with_nearest(r))
 }
 
 fn deflection(impact_parameter: f32) -> Option<f32> {

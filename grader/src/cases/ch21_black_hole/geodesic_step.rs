@@ -158,6 +158,63 @@ impl Graded for GeodesicStep {
                 }
             },
         },
+        Mistake {
+            name: "does not divide the weighted sum of the slopes by 6",
+            hint: "The weights of the slopes must add up to 1: do yours?",
+            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0], 1.0),
+        },
+        Mistake {
+            name: "turns the velocity for a whole step by the pull at the start, and for a whole step by that at the end",
+            hint: "How many steps does the velocity turn in all: is it one?",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                let first = pull(x, v);
+                let end = x + step * v + 0.5 * step * step * first;
+                after(end, v + step * (first + pull(end, v)))
+            },
+        },
+        Mistake {
+            name: "pulls by Newton's law too, and adds Einstein's term to it",
+            hint: "A ray that aims at the middle is not pulled at all: is yours?",
+            answer: |q| {
+                pulled(q, |x, v| {
+                    -1.5 * h2(x, v) * x / x.length().powi(5) - 0.5 * x / x.length().powi(3)
+                })
+            },
+        },
+        Mistake {
+            name: "takes the z component of x × v for its length",
+            hint: "A ray that goes past the hole above it, not beside it: what is z of its x × v?",
+            answer: |q| {
+                pulled(q, |x, v| {
+                    -1.5 * x.cross(v).z.powi(2) * x / x.length().powi(5)
+                })
+            },
+        },
+        Mistake {
+            name: "takes |x|²|v|² − x·v for h², without squaring x·v",
+            hint: "A ray that aims at the middle is not bent: what is its h²?",
+            answer: |q| {
+                pulled(q, |x, v| {
+                    let h2 = x.length_squared() * v.length_squared() - x.dot(v);
+                    -1.5 * h2 * x / x.length().powi(5)
+                })
+            },
+        },
+        Mistake {
+            name: "takes |x|² for |x|, and so divides by the tenth power",
+            hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(10)),
+        },
+        Mistake {
+            name: "moves with the velocity before the step, and turns it by the pull after that",
+            hint: "Where the velocity turns during the step, the position must notice it.",
+            answer: |q| {
+                let (x, v, step) = parts(q);
+                let end = x + step * v;
+                after(end, v + step * pull(end, v))
+            },
+        },
     ];
 }
 

@@ -84,6 +84,45 @@ fn places(q: &Jittered, points: &[Vec2]) -> Vec<Vec2> {
     points.iter().map(place).collect()
 }
 
+/// In which order cells are counted.
+#[derive(Clone, Copy)]
+enum Order {
+    AlongRows,
+    DownColumns,
+}
+
+/// The points in the order of their cells.
+fn by_cells(q: &Jittered, points: &[Vec2], order: Order) -> Vec<Vec2> {
+    let count = vec2(q.columns as f32, q.rows as f32);
+    let cell = |p: &Vec2| {
+        let [i, j] = (count * *p).floor().to_array().map(|v| v as u32);
+        match order {
+            Order::AlongRows => (j, i),
+            Order::DownColumns => (i, j),
+        }
+    };
+    let mut points = points.to_vec();
+    points.sort_by_key(cell);
+    points
+}
+
+/// How unevenly the points are shared among the columns of cells, and among the rows: 0 if all have as many, about 1 by chance, and never
+/// more than 4.
+fn unevenness(q: &Jittered, points: &[Vec2]) -> [f64; 2] {
+    [0, 1].map(|axis| {
+        let groups = [q.columns, q.rows][axis].max(1);
+        let mut counts = vec![0.0_f64; groups as usize];
+        for p in points {
+            let group = (groups as f32 * p[axis]) as usize; // the nearest, if it is outside of the square
+            counts[group.min(groups as usize - 1)] += 1.0;
+        }
+        let n = points.len().max(1) as f64;
+        let mean = n / f64::from(groups);
+        let squares: f64 = counts.iter().map(|count| (count - mean).powi(2)).sum();
+        (squares / n).min(4.0)
+    })
+}
+
 const LEFT_TO_RIGHT: &str = "the place from left to right in a cell";
 const TOP_TO_BOTTOM: &str = "the place from top to bottom in a cell";
 const BOTH: &str = "the places along x and y in a cell";
@@ -118,10 +157,15 @@ impl Graded for Jittered {
     fn together(answers: &[(Jittered, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         let same = |a: &Jittered, b: &Jittered| (a.columns, a.rows) == (b.columns, b.rows);
         together::seeded(answers, same, |q| q.seed)?;
-        let lists: Vec<_> = answers.iter().map(|(q, got)| places(q, got)).collect();
-        let lists: Vec<_> = lists.iter().collect();
         let names = [LEFT_TO_RIGHT, TOP_TO_BOTTOM, "one of both places in a cell"];
-        points::together(&lists, names, BOTH, bounds)
+        // Points that are sorted depend on each other in their order, which does not count; in that of the cells they must not.
+        for order in [Order::AlongRows, Order::DownColumns] {
+            let sorted = |(q, got): &(Jittered, Vec<Vec2>)| places(q, &by_cells(q, got, order));
+            let lists: Vec<_> = answers.iter().map(sorted).collect();
+            let lists: Vec<_> = lists.iter().collect();
+            points::together(&lists, names, BOTH, bounds)?;
+        }
+        Ok(())
     }
 
     /// Within the visible cases' limit of columns and rows; they are the same, so that seeds can be compared.
@@ -142,6 +186,7 @@ impl Graded for Jittered {
         let cell = |p: &Vec2| ((count * *p).floor().dot(vec2(1.0, 1e3))).into();
         let mut traits = [traits::of_square(&places), traits::of_square(&whole)].concat();
         traits.push(traits::distinct(got.iter().map(cell)));
+        traits.extend(unevenness(q, got));
         traits.push(got.len() as f64 / f64::from(q.columns * q.rows).max(1.0));
         traits
     }
@@ -164,6 +209,11 @@ impl Graded for Jittered {
             ..points::UNEVEN
         },
         points::TOGETHER,
+        Flaw {
+            complaint: "its mirror image",
+            name: "spreads the places in the cells more evenly than chance does",
+            hint: "Does the place in one cell depend on that in another, or on the cell's number?",
+        },
         points::SEED,
         points::SERIAL,
     ];
@@ -302,6 +352,57 @@ impl Graded for Jittered {
             name: "squares the numbers that place a point",
             hint: "Is every place in a cell as likely as any other?",
             answer: |q| cells(q, |cell, count, u| (cell + u * u) / count),
+        },
+        Mistake {
+            name: "counts the cells from 1",
+            hint: "In which cell is the point for i = j = 0: where does it begin?",
+            answer: |q| cells(q, |cell, count, u| (cell + 1.0 + u) / count),
+        },
+        Mistake {
+            name: "divides both by the number of columns",
+            hint: "Are your cells square where there are more columns than rows?",
+            answer: |q| cells(q, |cell, count, u| (cell + u) / count.x),
+        },
+        Mistake {
+            name: "moves points by up to a whole cell from their cell's middle",
+            hint: "How far is it from a cell's middle to its edge?",
+            answer: |q| {
+                cells(q, |cell, count, u| {
+                    ((cell + 2.0 * u - 0.5) / count)
+                        .clamp(Vec2::ZERO, Vec2::splat(1.0 - f32::EPSILON))
+                })
+            },
+        },
+        Mistake {
+            name: "starts the generator again for every row of cells",
+            hint: "Do the points of one row of cells have the same places in their cells as those of the next?",
+            answer: |q| {
+                let rng = &mut pcg::stream(22, q.seed.into());
+                let of_row: Vec<_> = (0..q.columns)
+                    .map(|_| vec2(rng.random(), rng.random()))
+                    .collect();
+                cells(q, |cell, count, _| (cell + of_row[cell.x as usize]) / count)
+            },
+        },
+        Mistake {
+            name: "takes the column for the row too",
+            hint: "In which row of cells is the point for i = 0 and j = 1?",
+            answer: |q| cells(q, |cell, count, u| (cell.xx() + u) / count),
+        },
+        Mistake {
+            name: "puts all points into the first cell",
+            hint: "How do i and j come in: is i/columns a division of whole numbers?",
+            answer: |q| cells(q, |_, count, u| u / count),
+        },
+        Mistake {
+            name: "keeps to the cells along x only, and puts y anywhere",
+            hint: "How many of your points are in each row of cells?",
+            answer: |q| cells(q, |cell, count, u| vec2((cell.x + u.x) / count.x, u.y)),
+        },
+        Mistake {
+            name: "keeps to the cells along y only, and puts x anywhere",
+            hint: "How many of your points are in each column of cells?",
+            answer: |q| cells(q, |cell, count, u| vec2(u.x, (cell.y + u.y) / count.y)),
         },
     ];
 }

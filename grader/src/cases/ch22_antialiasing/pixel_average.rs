@@ -50,6 +50,12 @@ fn divided(q: &PixelAverage, divisor: fn(&PixelAverage, f32) -> f32) -> Rgb {
     changed_average(q, |how| how.divisor = divisor)
 }
 
+/// The sum over all samples of one factor of their weights, that along x or along y.
+fn factors(q: &PixelAverage, along: fn(Vec2) -> f32) -> f32 {
+    let factor = |s: &Seen| (1.0 - along(s.offset).abs() / q.radius).max(0.0);
+    q.samples.iter().map(factor).sum()
+}
+
 /// A cone's weight.
 fn cone(q: &PixelAverage, offset: Vec2) -> f32 {
     (1.0 - offset.length() / q.radius).max(0.0)
@@ -311,6 +317,100 @@ impl Graded for PixelAverage {
                 } else {
                     average(q, |_, _| 1.0)
                 }
+            },
+        },
+        Mistake {
+            name: "divides by the number of samples that are within reach",
+            hint: "All samples see the same white wall: what does your pixel show?",
+            answer: |q| {
+                divided(q, |q, _| {
+                    let within = q.samples.iter().filter(|s| tent(q, s.offset) > 0.0);
+                    within.count() as f32
+                })
+            },
+        },
+        Mistake {
+            name: "divides by the filter's integral, radius²",
+            hint: "All samples see the same white wall: what does your pixel show?",
+            answer: |q| divided(q, |q, _| q.radius * q.radius),
+        },
+        Mistake {
+            name: "divides by the sum of the factors along x times that along y",
+            hint: "Two samples of weight 1: by what do you divide?",
+            answer: |q| divided(q, |q, _| factors(q, |o| o.x) * factors(q, |o| o.y)),
+        },
+        Mistake {
+            name: "takes the radius for the filter's whole width",
+            hint: "Where is the tent's foot: one radius from the centre, or half of it?",
+            answer: |q| Self::misread(q, |q| q.radius *= 0.5),
+        },
+        Mistake {
+            name: "takes a bell curve for the filter, with half of the radius for its standard deviation",
+            hint: "Does a sample in the pixel's centre count twice as much as one half way to the filter's edge? From where is the weight 0?",
+            answer: |q| {
+                average(q, |q, s| {
+                    (-2.0 * s.offset.length_squared() / (q.radius * q.radius)).exp()
+                })
+            },
+        },
+        Mistake {
+            name: "takes 1 − (x² + y²)/radius² for the weight",
+            hint: "Does a sample in the pixel's centre count twice as much as one half way to the filter's edge? From where is the weight 0?",
+            answer: |q| {
+                average(q, |q, s| {
+                    (1.0 - s.offset.length_squared() / (q.radius * q.radius)).max(0.0)
+                })
+            },
+        },
+        Mistake {
+            name: "cuts radiance off at 1 before it takes the average",
+            hint: "Radiance has no upper limit: what does a lamp add to its pixel?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    for s in &mut q.samples {
+                        s.radiance = tone::clamp(s.radiance);
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "returns NaN where all weights are 0",
+            hint: "What do you divide by if no sample is within reach?",
+            answer: |q| {
+                if q.samples.iter().all(|s| tent(q, s.offset) == 0.0) {
+                    Rgb::gray(f32::NAN)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "counts only samples in the pixel itself, at most half a pixel away",
+            hint: "How far does the filter reach: to the pixel's edge, or to its own radius?",
+            answer: |q| {
+                average(q, |q, s| {
+                    let is_inside = s.offset.abs().max_element() <= 0.5;
+                    if is_inside { tent(q, s.offset) } else { 0.0 }
+                })
+            },
+        },
+        Mistake {
+            name: "takes the absolute value of each factor",
+            hint: "What is the weight of a sample that is two radii away?",
+            answer: |q| {
+                average(q, |q, s| {
+                    (1.0 - s.offset.abs() / q.radius).abs().element_product()
+                })
+            },
+        },
+        Mistake {
+            name: "takes the nearest sample only",
+            hint: "Where two samples have a weight, is the pixel the average of both?",
+            answer: |q| {
+                let within = q.samples.iter().filter(|s| tent(q, s.offset) > 0.0);
+                let away = |s: &&Seen| s.offset.length_squared();
+                let nearest = within.min_by(|one, other| away(one).total_cmp(&away(other)));
+                nearest.map_or(Rgb::BLACK, |s| s.radiance)
             },
         },
     ];

@@ -3,7 +3,7 @@
 use super::points;
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
-use glam::{Vec2, vec2};
+use glam::{UVec2, Vec2, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, random_pattern};
@@ -82,7 +82,6 @@ impl Graded for PoissonDisk {
                 0.7 * most
             ));
         }
-        // Whoever keeps the distance over the edges too, to the next square's points, is right.
         let room = room(got, d);
         let most = if got.len() < MANY {
             ROOM
@@ -121,6 +120,13 @@ impl Graded for PoissonDisk {
         if close >= 300 && within == 0 {
             return Err(
                 "no two points are nearer than the distance along both x and y: two points aslant of each other may be that near"
+                    .to_owned(),
+            );
+        }
+        let (over_edges, expected) = pairs_over_edges(&many);
+        if expected >= 40.0 && over_edges.min_element() == 0 {
+            return Err(
+                "no two points would be too near to each other if the square were repeated: nothing is repeated beyond its edges"
                     .to_owned(),
             );
         }
@@ -197,6 +203,11 @@ impl Graded for PoissonDisk {
             complaint: "two points aslant of each other",
             name: "compares the larger of the steps along x and along y with the distance",
             hint: "How far is it from (0, 0) to (1, 1)?",
+        },
+        Flaw {
+            complaint: "if the square were repeated",
+            name: "keeps the distance over the square's edges too, as if it were repeated",
+            hint: "What lies beyond an edge: may a point at the left edge and one at the right be at the same height?",
         },
         Flaw {
             complaint: "may your points lie there",
@@ -296,7 +307,8 @@ fn nearest(points: &[Vec2]) -> f32 {
     pairs.fold(f32::INFINITY, f32::min)
 }
 
-/// The share of the square that is farther than d from all points, also from those of the same squares around it.
+/// The share of the square that is farther than d from all points, also from those of the same squares around it: methods that are right
+/// leave more room at the border, and it is not counted.
 fn room(points: &[Vec2], d: f32) -> f32 {
     let side = PROBES as i32;
     let mut free = vec![true; (side * side) as usize];
@@ -334,4 +346,21 @@ fn close_pairs(answers: &[&(PoissonDisk, Vec<Vec2>)]) -> (usize, usize) {
         }
     }
     (close, within)
+}
+
+/// How many pairs of points would be nearer to each other than the distance if the square were repeated along x, and how many along y;
+/// and about how many each is by chance: (2/3) n² d³, where n d² is about 0.7.
+fn pairs_over_edges(answers: &[&(PoissonDisk, Vec<Vec2>)]) -> (UVec2, f32) {
+    let (mut over, mut expected) = (UVec2::ZERO, 0.0);
+    for (q, got) in answers {
+        expected += 0.3 / q.distance;
+        for (i, p) in got.iter().enumerate() {
+            for way in got[..i].iter().map(|other| (*p - *other).abs()) {
+                let is_near = |way: Vec2| u32::from(way.length() < 0.99 * q.distance);
+                over.x += is_near(vec2(1.0 - way.x, way.y));
+                over.y += is_near(vec2(way.x, 1.0 - way.y));
+            }
+        }
+    }
+    (over, expected)
 }

@@ -266,6 +266,11 @@ impl Graded for RandomPattern {
                 points
             },
         },
+        Mistake {
+            name: "takes whole numbers, 0 or 1",
+            hint: "How many different places have your points?",
+            answer: |q| each(q, Vec2::round),
+        },
     ];
 }
 

@@ -20,6 +20,21 @@ fn cells(q: &RegularGrid, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     cells.map(|cell| pixel + place(cell, count)).collect()
 }
 
+/// The same of a grid of other numbers of cells; a place is still told the right ones.
+fn other_cells(
+    q: &RegularGrid,
+    [columns, rows]: [u32; 2],
+    place: impl Fn(Vec2, Vec2) -> Vec2,
+) -> Vec<Vec2> {
+    let count = vec2(q.columns as f32, q.rows as f32);
+    let other = RegularGrid {
+        columns,
+        rows,
+        ..q.clone()
+    };
+    cells(&other, |cell, _| place(cell, count))
+}
+
 impl Graded for RegularGrid {
     fn random(rng: &mut Pcg) -> RegularGrid {
         RegularGrid {
@@ -90,6 +105,80 @@ impl Graded for RegularGrid {
             name: "divides the columns by the number of rows, and the rows by that of the columns",
             hint: "Try three columns and one row: how wide is a cell?",
             answer: |q| cells(q, |cell, count| (cell + 0.5) / vec2(count.y, count.x)),
+        },
+        Mistake {
+            name: "puts all points into the middle of the pixel",
+            hint: "Are i/columns and j/rows whole numbers in your language? What is 1/2 then?",
+            answer: |q| cells(q, |_, _| Vec2::splat(0.5)),
+        },
+        Mistake {
+            name: "puts all points into the middle of the first cell",
+            hint: "Where does the number of a cell come in?",
+            answer: |q| cells(q, |_, count| 0.5 / count),
+        },
+        Mistake {
+            name: "adds the pixel's column and row before it divides",
+            hint: "Which part of your sum is in cells, and which in pixels?",
+            answer: |q| {
+                let pixel = vec2(q.x as f32, q.y as f32);
+                cells(q, |cell, count| (pixel + cell + 0.5) / count - pixel)
+            },
+        },
+        Mistake {
+            name: "goes one cell too far, along x and along y",
+            hint: "How many points are there in a grid of two cells by two? Where do your loops end?",
+            answer: |q| {
+                other_cells(q, [q.columns + 1, q.rows + 1], |cell, count| {
+                    (cell + 0.5) / count
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out the last column and the last row of cells",
+            hint: "How many points are there in a grid of two cells by two? Where do your loops end?",
+            answer: |q| {
+                let fewer = [q.columns, q.rows].map(|count| count.saturating_sub(1));
+                other_cells(q, fewer, |cell, count| (cell + 0.5) / count)
+            },
+        },
+        Mistake {
+            name: "counts the cells from 1",
+            hint: "With one cell, which number has it in your loop, and where is its point?",
+            answer: |q| cells(q, |cell, count| (cell + 1.5) / count),
+        },
+        Mistake {
+            name: "takes the cells' lower right corners",
+            hint: "With one cell, where should its point be: in the pixel's corner?",
+            answer: |q| cells(q, |cell, count| (cell + 1.0) / count),
+        },
+        Mistake {
+            name: "goes over as many columns as there are rows, and over as many rows as there are columns",
+            hint: "Try three columns and one row: which of your two loops goes along x?",
+            answer: |q| other_cells(q, [q.rows, q.columns], |cell, count| (cell + 0.5) / count),
+        },
+        Mistake {
+            name: "divides a cell's number by the number of rows, not by that of the columns, to find its row",
+            hint: "How many cells are counted before the first one of the second row?",
+            answer: |q| {
+                let cell = |i: u32| vec2((i % q.columns) as f32, (i / q.rows) as f32);
+                let all = (0..q.columns * q.rows).map(cell);
+                let count = vec2(q.columns as f32, q.rows as f32);
+                let pixel = vec2(q.x as f32, q.y as f32);
+                all.map(|cell| pixel + (cell + 0.5) / count).collect()
+            },
+        },
+        Mistake {
+            name: "moves by the row along x, and by the column along y",
+            hint: "The second pixel of the first row has the column 1: where does it begin?",
+            answer: |q| Self::misread(q, |q| (q.x, q.y) = (q.y, q.x)),
+        },
+        Mistake {
+            name: "goes along the diagonal only, with one number for column and row",
+            hint: "How many points are there in a grid of two cells by two? How many loops do you need?",
+            answer: |q| {
+                let square = [q.columns.min(q.rows), 1];
+                other_cells(q, square, |cell, count| (cell.x + 0.5) / count)
+            },
         },
     ];
 }

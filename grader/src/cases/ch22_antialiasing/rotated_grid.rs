@@ -6,7 +6,7 @@ use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use std::cmp::Ordering;
-use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4};
+use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_6};
 
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
@@ -36,6 +36,31 @@ fn steps(q: &RotatedGrid, takes: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
         }
     });
     inside(points)
+}
+
+/// The lattice by its whole steps, turned in a sense, and moved after that by as many spacings.
+fn moved(q: &RotatedGrid, sense: f32, by: Vec2) -> Vec<Vec2> {
+    // A whole step along the lattice changes nothing.
+    let steps = turned(by, -sense);
+    inside(lattice(q, |p| {
+        turned(p - q.offset + steps - steps.floor(), sense)
+    }))
+}
+
+/// The points that are in the square before they are rotated about its middle.
+fn inside_before(q: &RotatedGrid) -> Vec<Vec2> {
+    let half = 0.5 / q.spacing;
+    lattice(q, |p| {
+        let is_inside = p.cmpge(Vec2::splat(-half)).all() && p.cmplt(Vec2::splat(half)).all();
+        if is_inside {
+            turned(p, 1.0)
+        } else {
+            Vec2::INFINITY
+        }
+    })
+    .into_iter()
+    .filter(|p| p.is_finite())
+    .collect()
 }
 
 /// By arctan ½, counter-clockwise if `sense` is 1, clockwise if it is −1.
@@ -222,6 +247,54 @@ impl Graded for RotatedGrid {
             name: "takes ½ for the angle, and rotates clockwise",
             hint: "½ is the tangent: what is the angle, in radians?",
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(-0.5).rotate(p))),
+        },
+        Mistake {
+            name: "adds the offset after the rotation, so that it is not turned with the lattice",
+            hint: "Is the offset measured along the lattice, or along the sides of the square?",
+            answer: |q| moved(q, 1.0, q.offset),
+        },
+        Mistake {
+            name: "adds the offset after the rotation, which is clockwise",
+            hint: "Is the offset measured along the lattice, or along the sides of the square?",
+            answer: |q| moved(q, -1.0, q.offset),
+        },
+        Mistake {
+            name: "takes the offset in sides of the square",
+            hint: "In which unit is the offset: in spacings, or in sides of the square?",
+            answer: |q| moved(q, 1.0, turned(q.offset / q.spacing, 1.0)),
+        },
+        Mistake {
+            name: "takes the offset in sides of the square, and rotates clockwise",
+            hint: "In which unit is the offset: in spacings, or in sides of the square?",
+            answer: |q| moved(q, -1.0, turned(q.offset / q.spacing, -1.0)),
+        },
+        Mistake {
+            name: "adds the offset at last, in sides of the square",
+            hint: "In which unit is the offset, and along which axes is it measured?",
+            answer: |q| moved(q, 1.0, q.offset / q.spacing),
+        },
+        Mistake {
+            name: "rotates by 30°",
+            hint: "Which angle has the tangent ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_6).rotate(p))),
+        },
+        Mistake {
+            name: "takes only the steps that fit into half of the square's side, as whole ones",
+            hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
+            answer: |q| {
+                let reach = (0.5 / q.spacing).floor();
+                steps(q, |step| step.abs().max_element() <= reach)
+            },
+        },
+        Mistake {
+            name: "keeps the points that are in the square before the rotation",
+            hint: "Which points must be in the square: the rotated ones, or those before?",
+            answer: inside_before,
+        },
+        Mistake {
+            name: "keeps only the points that are in the square before the rotation and after it",
+            hint: "Which points must be in the square: the rotated ones, or those before?",
+            answer: |q| inside(inside_before(q)),
         },
     ];
 }

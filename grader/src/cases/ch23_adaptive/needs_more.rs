@@ -293,7 +293,204 @@ impl Graded for NeedsMore {
                 decide(q, too_contrasty(q, ratio), error)
             },
         },
+        Mistake {
+            name: "looks at the contrast of the luminance only, by the luminance of the limits",
+            hint: "Red letters on a green wall that is just as bright: does the luminance differ at all?",
+            answer: |q| of_luminance(q, q.contrast.luminance()),
+        },
+        Mistake {
+            name: "looks at the contrast of the luminance only, by green's limit",
+            hint: "Red letters on a green wall that is just as bright: does the luminance differ at all?",
+            answer: |q| of_luminance(q, q.contrast.g),
+        },
+        Mistake {
+            name: "divides the difference by half of the sum",
+            hint: "White is 1, and black is 0: how large is the contrast of both?",
+            answer: |q| {
+                let contrast = too_contrasty(q, |range| 2.0 * ratio(range));
+                decide(q, contrast, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "takes the largest and the least of all three channels together",
+            hint: "All samples are of the same pure red: do they differ at all?",
+            answer: |q| {
+                let [max, min] = (0..3)
+                    .map(|channel| range(q, channel))
+                    .fold([0.0, f32::INFINITY], |[max, min], of_channel| {
+                        [of_channel[0].max(max), of_channel[1].min(min)]
+                    });
+                let contrast = too_contrasty(q, |_| ratio([max, min]));
+                decide(q, contrast, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "compares the error with its limit times the mean luminance",
+            hint: "In which unit is the limit of the error: is it a share of the mean?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                let mean = q.samples.iter().map(|s| s.luminance()).sum::<f32>() / n;
+                let error = if mean > 0.0 {
+                    standard_error(q) / mean
+                } else {
+                    0.0
+                };
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
+        Mistake {
+            name: "divides by the root of n − 1 instead of n, after s² is divided by n − 1",
+            hint: "Of the two divisions, which one is by n − 1, and which by the root of n?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                let error = standard_error(q) * (n / (n - 1.0)).sqrt();
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
+        Mistake {
+            name: "asks the error of each channel, not that of the luminance",
+            hint: "Blue is noisy, and counts little for the luminance: how noisy is that?",
+            answer: |q| {
+                let most = (0..3)
+                    .map(|channel| error_of(q, channel))
+                    .fold(0.0, f32::max);
+                decide(q, too_contrasty(q, ratio), most)
+            },
+        },
+        Mistake {
+            name: "lets the least begin at 0, so that it is never larger",
+            hint: "Samples that are all the same: what is their least value?",
+            answer: |q| {
+                let contrast = too_contrasty(q, |[max, _]| ratio([max, 0.0]));
+                decide(q, contrast, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "wants more samples where a channel is black",
+            hint: "A channel that is black in all samples: does it differ at all?",
+            answer: |q| {
+                let is_black = (0..3).any(|channel| range(q, channel)[0] == 0.0);
+                decide(q, is_black || too_contrasty(q, ratio), standard_error(q))
+            },
+        },
+        Mistake {
+            name: "compares each sample with the next one only",
+            hint: "Three samples, each a little brighter than the one before: how much brighter is the last than the first?",
+            answer: |q| {
+                let neighbours = q.samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
+                decide(q, of_pairs(q, neighbours), standard_error(q))
+            },
+        },
+        Mistake {
+            name: "compares the first sample with the last one only",
+            hint: "One bright sample among dark ones: does it count wherever it comes?",
+            answer: |q| {
+                let ends = q.samples.first().zip(q.samples.last());
+                let ends = ends.into_iter().map(|(first, last)| [first, last]);
+                decide(q, of_pairs(q, ends), standard_error(q))
+            },
+        },
+        Mistake {
+            name: "subtracts the square of the mean from the sum of the squares, and not n times it",
+            hint: "Samples that are all the same: what is the sum of their squares, and what do you subtract?",
+            answer: |q| {
+                let n = q.samples.len() as f32;
+                let values = || q.samples.iter().map(|s| s.luminance());
+                let mean = values().sum::<f32>() / n;
+                let squares = values().map(|y| y * y).sum::<f32>() - mean * mean;
+                let error = (squares.max(0.0) / (n - 1.0) / n).sqrt();
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
+        Mistake {
+            name: "wants more samples where the error is just what is allowed",
+            hint: "The error must be above its limit: what if it is the limit itself?",
+            answer: |q| {
+                let error = standard_error(q);
+                decide(q, too_contrasty(q, ratio) || error >= q.error, error)
+            },
+        },
+        Mistake {
+            name: "compares the sum of the three contrasts with the sum of the limits",
+            hint: "Red letters on a black wall: may the other two channels make up for them?",
+            answer: |q| {
+                let sum: f32 = (0..3).map(|channel| ratio(range(q, channel))).sum();
+                let limit: f32 = q.contrast.channels().iter().sum();
+                decide(q, sum > limit, standard_error(q))
+            },
+        },
+        Mistake {
+            name: "takes the largest limit for the contrast of all channels",
+            hint: "The eye sees a step of green sooner than one of blue: which limit belongs to which channel?",
+            answer: |q| by_one_limit(q, q.contrast.channels().into_iter().fold(0.0, f32::max)),
+        },
+        Mistake {
+            name: "takes the smallest limit for the contrast of all channels",
+            hint: "The eye sees a step of green sooner than one of blue: which limit belongs to which channel?",
+            answer: |q| {
+                by_one_limit(
+                    q,
+                    q.contrast
+                        .channels()
+                        .into_iter()
+                        .fold(f32::INFINITY, f32::min),
+                )
+            },
+        },
+        Mistake {
+            name: "takes the mean of the limits for the contrast of all channels",
+            hint: "The eye sees a step of green sooner than one of blue: which limit belongs to which channel?",
+            answer: |q| by_one_limit(q, q.contrast.channels().iter().sum::<f32>() / 3.0),
+        },
+        Mistake {
+            name: "takes the three channels of each sample for three samples of the luminance",
+            hint: "A sample of pure red, twice: do two samples of one colour tell any noise?",
+            answer: |q| {
+                let gray = |s: &Rgb| s.channels().map(Rgb::gray);
+                let error = standard_error(&NeedsMore {
+                    samples: q.samples.iter().flat_map(gray).collect(),
+                    ..q.clone()
+                });
+                decide(q, too_contrasty(q, ratio), error)
+            },
+        },
     ];
+}
+
+/// Whether the contrast of the luminance is above a limit, and the answer by that and the right error.
+fn of_luminance(q: &NeedsMore, limit: f32) -> u32 {
+    let values = || q.samples.iter().map(|sample| sample.luminance());
+    let (max, min) = (
+        values().fold(0.0, f32::max),
+        values().fold(f32::INFINITY, f32::min),
+    );
+    decide(q, ratio([max, min]) > limit, standard_error(q))
+}
+
+/// Whether a channel's contrast is above its limit in any two samples of those pairs.
+fn of_pairs<'a>(q: &NeedsMore, pairs: impl Iterator<Item = [&'a Rgb; 2]> + Clone) -> bool {
+    let limits = q.contrast.channels();
+    (0..3).any(|channel| {
+        let is_above = |pair: [&Rgb; 2]| {
+            let [one, other] = pair.map(|s| s.channels()[channel]);
+            ratio([one.max(other), one.min(other)]) > limits[channel]
+        };
+        pairs.clone().any(is_above)
+    })
+}
+
+/// The standard error of one channel.
+fn error_of(q: &NeedsMore, channel: usize) -> f32 {
+    let gray = |s: &Rgb| Rgb::gray(s.channels()[channel]);
+    standard_error(&NeedsMore {
+        samples: q.samples.iter().map(gray).collect(),
+        ..q.clone()
+    })
+}
+
+/// The answer by one limit for the contrast of all channels.
+fn by_one_limit(q: &NeedsMore, limit: f32) -> u32 {
+    NeedsMore::misread(q, |q| q.contrast = Rgb::gray(limit))
 }
 
 /// The answer by another luminance.

@@ -17,7 +17,11 @@ fn variance(deviations: &[f32], counts: &[u32]) -> f64 {
 
 /// `floor` for each pixel and the rest of the budget in proportion to weights; what rounding leaves goes to the first ones.
 fn shares(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
-    let mut counts = rounded_down(q, floor, weight);
+    hand_out(q, rounded_down(q, floor, weight))
+}
+
+/// What the counts leave of the budget goes to the first ones.
+fn hand_out(q: &SpendBudget, mut counts: Vec<u32>) -> Vec<u32> {
     let left = q.budget.saturating_sub(counts.iter().sum()) as usize;
     let pixels = counts.len();
     (0..left).for_each(|i| counts[i % pixels] += 1);
@@ -51,6 +55,47 @@ fn best(q: &SpendBudget) -> Vec<f32> {
         };
         is_quiet[next] = true;
     }
+}
+
+/// The best shares, each rounded to a whole number; what that leaves goes to one pixel, or is taken from it.
+fn rest_to_one(q: &SpendBudget, rounded: fn(f32) -> f32, pixel: fn(&[f32]) -> usize) -> Vec<u32> {
+    let shares = best(q).into_iter();
+    let mut counts: Vec<_> = shares.map(|share| rounded(share) as u32).collect();
+    let spent = counts.iter().sum();
+    if let Some(count) = counts.get_mut(pixel(&q.deviations)) {
+        *count = (*count + q.budget).saturating_sub(spent);
+    }
+    counts
+}
+
+/// Rounds down, but for what is a whole number before it is rounded off.
+fn down(share: f32) -> f32 {
+    (share + 1e-4).floor()
+}
+
+fn last(deviations: &[f32]) -> usize {
+    deviations.len().saturating_sub(1)
+}
+
+/// The pixel of the largest deviation; of equal ones the first.
+fn noisiest(deviations: &[f32]) -> usize {
+    let largest = deviations.iter().copied().fold(0.0, f32::max);
+    deviations.iter().position(|d| *d == largest).unwrap_or(0)
+}
+
+/// The minimum for pixels whose share would be smaller, and what that leaves in proportion among the others, once.
+fn shared_once(q: &SpendBudget) -> Vec<f32> {
+    let (budget, least) = (q.budget as f32, q.least as f32);
+    let all: f32 = q.deviations.iter().sum();
+    let is_quiet = |d: &f32| budget * d < least * all;
+    let quiet = q.deviations.iter().filter(|d| is_quiet(d)).count() as f32;
+    let others: f32 = q.deviations.iter().filter(|d| !is_quiet(d)).sum();
+    if others <= 0.0 {
+        return best(q);
+    }
+    let factor = (budget - quiet * least) / others;
+    let share = |d: &f32| if is_quiet(d) { least } else { factor * d };
+    q.deviations.iter().map(share).collect()
 }
 
 impl Graded for SpendBudget {
@@ -203,16 +248,9 @@ impl Graded for SpendBudget {
             answer: |q| rounded_down(q, q.least, |d| d),
         },
         Mistake {
-            name: "gives all that rounding leaves to one pixel",
+            name: "gives all that rounding leaves to the last pixel",
             hint: "Each share was rounded down by less than one sample: how many of the samples left over should one pixel get?",
-            answer: |q| {
-                let mut counts = rounded_down(q, q.least, |d| d);
-                let left = q.budget.saturating_sub(counts.iter().sum());
-                if let Some(last) = counts.last_mut() {
-                    *last += left;
-                }
-                counts
-            },
+            answer: |q| rest_to_one(q, down, last),
         },
         Mistake {
             name: "raises shares to the minimum without taking that from the others",
@@ -286,6 +324,70 @@ impl Graded for SpendBudget {
                     Self::right(q)
                 }
             },
+        },
+        Mistake {
+            name: "gives all that rounding leaves to the noisiest pixel",
+            hint: "Each share was rounded by less than one sample: how many of the samples left over should one pixel get?",
+            answer: |q| rest_to_one(q, down, noisiest),
+        },
+        Mistake {
+            name: "gives all that rounding leaves to the first pixel",
+            hint: "Each share was rounded by less than one sample: how many of the samples left over should one pixel get?",
+            answer: |q| rest_to_one(q, down, |_| 0),
+        },
+        Mistake {
+            name: "rounds each share to the nearest number, and lets the last pixel have or pay the difference",
+            hint: "Does the last pixel keep its minimum when it pays for what was rounded up?",
+            answer: |q| rest_to_one(q, f32::round, last),
+        },
+        Mistake {
+            name: "looks only once for pixels that get the minimum",
+            hint: "A pixel that gets the minimum leaves less for the others: may another one fall below the minimum by that?",
+            answer: |q| {
+                let shares = shared_once(q).into_iter();
+                hand_out(q, shares.map(|share| down(share) as u32).collect())
+            },
+        },
+        Mistake {
+            name: "looks only once for pixels whose share is below the minimum, and raises those that fall below it later on top of the budget",
+            hint: "A pixel that gets the minimum leaves less for the others: may another one fall below the minimum by that?",
+            answer: |q| {
+                let shares = shared_once(q).into_iter();
+                let counts = shares.map(|share| (down(share) as u32).max(q.least));
+                hand_out(q, counts.collect())
+            },
+        },
+        Mistake {
+            name: "rounds down where all deviations are 0, and loses the rest",
+            hint: "Of a picture whose samples are all alike, is the whole budget spent too?",
+            answer: |q| {
+                if q.deviations.iter().all(|d| *d == 0.0) {
+                    best(q)
+                        .into_iter()
+                        .map(|share| down(share) as u32)
+                        .collect()
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
+        Mistake {
+            name: "returns only what each pixel gets beyond the minimum",
+            hint: "Add up your samples: is the sum the budget?",
+            answer: |q| {
+                let counts = Self::right(q).into_iter();
+                counts.map(|n| n.saturating_sub(q.least)).collect()
+            },
+        },
+        Mistake {
+            name: "shares by the variance, and takes the minimum into account",
+            hint: "Twice the deviation: does that want four times the samples? If you give them one by one, which pixel gains most: that of the largest σ²/n, or that whose σ²/n falls most?",
+            answer: |q| Self::misread(q, |q| q.deviations.iter_mut().for_each(|d| *d *= *d)),
+        },
+        Mistake {
+            name: "shares by the root of the deviation, and takes the minimum into account",
+            hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
+            answer: |q| Self::misread(q, |q| q.deviations.iter_mut().for_each(|d| *d = d.sqrt())),
         },
     ];
 }

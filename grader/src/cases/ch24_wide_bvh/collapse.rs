@@ -12,6 +12,18 @@ use raybook_workbook::tree_rows::to_rows;
 
 /// Families whose members are chosen by `open`: which of the branches among the members is opened next, if any.
 fn families(q: &Collapse, open: impl Fn(&Collapse, &[u32]) -> Option<usize>) -> Vec<FamilyRow> {
+    families_of(q, |branch| {
+        let mut children = pair(q, branch).to_vec();
+        while let Some(i) = open(q, &children) {
+            let opened = children.remove(i);
+            children.extend(pair(q, opened));
+        }
+        children
+    })
+}
+
+/// Families of these members of each branch.
+fn families_of(q: &Collapse, members: impl Fn(u32) -> Vec<u32>) -> Vec<FamilyRow> {
     let mut families = Vec::new();
     let mut waiting = Vec::new();
     if !q.nodes.is_empty() {
@@ -21,21 +33,18 @@ fn families(q: &Collapse, open: impl Fn(&Collapse, &[u32]) -> Option<usize>) -> 
         if !is_branch(q, branch) {
             continue;
         }
-        let mut children = pair(q, branch).to_vec();
-        while let Some(i) = open(q, &children) {
-            let opened = children.remove(i);
-            children.extend(pair(q, opened));
-        }
+        let children = members(branch);
         waiting.extend(&children);
         families.push(FamilyRow { branch, children });
     }
     families
 }
 
-/// The place of the best branch among the members, by an order of numbers.
+/// The place of the first of the best branches among the members, by an order of numbers.
 fn best(q: &Collapse, members: &[u32], order: fn(&Collapse, u32) -> f32) -> Option<usize> {
     let branches = (0..members.len()).filter(|&i| is_branch(q, members[i]));
-    branches.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
+    let backwards = branches.rev(); // the last of the greatest is found
+    backwards.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
 }
 
 fn while_fewer(
@@ -394,6 +403,34 @@ impl Graded for Collapse {
                 })
             },
         },
+        Mistake {
+            name: "takes up three levels at once, however large the boxes are",
+            hint: "A small branch two levels down is opened, and a large one beside a leaf is not: which of them do more rays enter?",
+            answer: |q| families_of(q, |branch| three_levels_down(q, branch)),
+        },
+        Mistake {
+            name: "fills half of the places with what is below the left child, before it looks at the right one",
+            hint: "The left child is small, and the right one large: which of them should have more of the eight places below?",
+            answer: |q| {
+                families_of(q, |branch| {
+                    let mut taken = Vec::new();
+                    let [left, right] = pair(q, branch);
+                    take(q, left, MOST / 2, &mut taken);
+                    take(q, right, MOST - taken.len(), &mut taken);
+                    taken
+                })
+            },
+        },
+        Mistake {
+            name: "opens the branch with the most leaves below it first",
+            hint: "Many small leaves lie close together: what tells how often a ray enters their box?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| leaves_below(q, i) as f32)),
+        },
+        Mistake {
+            name: "opens the branch with the longest diagonal first",
+            hint: "Is a long, thin box met by more rays than a large one?",
+            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).length())),
+        },
     ];
 }
 
@@ -466,4 +503,42 @@ fn cover(q: &Collapse, node: u32, children: &[u32], met: &mut [u32]) -> Result<(
 fn size(q: &Collapse, i: u32) -> Vec3 {
     let node = &q.nodes[i as usize];
     node.max - node.min
+}
+
+/// The nodes three levels below a branch, and the leaves that lie above them.
+fn three_levels_down(q: &Collapse, branch: u32) -> Vec<u32> {
+    let below = |node: u32| {
+        if is_branch(q, node) {
+            pair(q, node).to_vec()
+        } else {
+            vec![node]
+        }
+    };
+    let children = below(branch).into_iter();
+    children.flat_map(below).flat_map(below).collect()
+}
+
+/// Takes a node itself, or instead of a branch what is below it, as long as there are places for both of its sides: the left one has half of
+/// them, and the right one those that are left.
+fn take(q: &Collapse, node: u32, places: usize, taken: &mut Vec<u32>) {
+    if !is_branch(q, node) || places < 2 {
+        taken.push(node);
+        return;
+    }
+    let [left, right] = pair(q, node);
+    let before = taken.len();
+    take(q, left, places / 2, taken);
+    take(q, right, places - (taken.len() - before), taken);
+}
+
+/// The number of leaves below a node.
+fn leaves_below(q: &Collapse, node: u32) -> u32 {
+    if is_branch(q, node) {
+        pair(q, node)
+            .map(|child| leaves_below(q, child))
+            .iter()
+            .sum()
+    } else {
+        1
+    }
 }

@@ -1,8 +1,8 @@
 //! `wide_closest`: random questions, judge and mistakes.
 
 use crate::{
-    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::How, search::Keeps,
-    search::Node, search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::How,
+    search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -287,9 +287,54 @@ impl Graded for WideClosest {
             answer: |q| {
                 search(q, |how| {
                     how.order = Order::NearestOfAll;
-                    how.by_exit = true;
+                    how.by = By::Exit;
                 })
             },
+        },
+        Mistake {
+            name: "takes a box for missed if the ray begins in it",
+            hint: "A ray begins inside a box: where does it enter, before the interval's min or behind it, and is the box met?",
+            answer: |q| search(q, |how| how.only_from_outside = true),
+        },
+        Mistake {
+            name: "loses the boxes if the ray does not move along some axis",
+            hint: "If the ray does not move along x, how far is it to the two faces across x, and what is 0 · ∞?",
+            answer: |q| search(q, |how| how.loses_parallel = true),
+        },
+        Mistake {
+            name: "leaves out triangles whose backs the ray meets",
+            hint: "Does the task want the nearest triangle, or the nearest that faces the ray?",
+            answer: |q| search(q, |how| how.culls = true),
+        },
+        Mistake {
+            name: "goes by where the ray passes the boxes' middles, not by where it enters the boxes",
+            hint: "A large box may begin near, and its middle be far away: can the nearest hit be in it? By which distance do you choose, and stop?",
+            answer: |q| {
+                search(q, |how| {
+                    how.order = Order::NearestOfAll;
+                    how.by = By::Middle;
+                })
+            },
+        },
+        Mistake {
+            name: "sorts the boxes by the distances of their least corners from the ray's origin",
+            hint: "A ray that runs towards −x enters a box far from its least corner: which distance tells when?",
+            answer: |q| search(q, |how| how.order = Order::LeastCorner),
+        },
+        Mistake {
+            name: "tests all leaves of a node before it opens the nodes among its children",
+            hint: "A far child is a leaf, and a near one a node: in which is the nearest hit more likely?",
+            answer: |q| search(q, |how| how.order = Order::LeavesFirst),
+        },
+        Mistake {
+            name: "takes the nearest child first, and the others in the order of the node",
+            hint: "The nearest child has no hit: which child should come next?",
+            answer: |q| search(q, |how| how.order = Order::NearestThenStored),
+        },
+        Mistake {
+            name: "ends the whole search at the first waiting child behind the hit, although nearer ones wait below it on the stack",
+            hint: "The child on top of the stack begins behind the hit: do all others on the stack, too?",
+            answer: |q| search(q, |how| how.ends_behind = true),
         },
     ];
 

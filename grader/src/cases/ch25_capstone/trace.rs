@@ -498,6 +498,105 @@ impl Graded for Trace {
             hint: "A ray enters a ball of glass and leaves it: how many surfaces are that, and how many does your depth count?",
             answer: |q| answer(q, Slip::RefractionNotCounted),
         },
+        Mistake {
+            name: "does not count the mirrors that a ray has met",
+            hint: "Two mirrors face each other: when does your ray end?",
+            answer: |q| answer(q, Slip::MirrorsNotCounted),
+        },
+        Mistake {
+            name: "lets light get weaker with the whole way, from the lamp over the surface to the viewer",
+            hint: "Step back from a wall in the light of a lamp: does it become darker?",
+            answer: |q| answer(q, Slip::FalloffUpToTheViewer),
+        },
+        Mistake {
+            name: "shows black, without the ambient light, where a lamp is hidden",
+            hint: "In the shadow of one lamp, which light still arrives?",
+            answer: |q| answer(q, Slip::ShadowIsBlack),
+        },
+        Mistake {
+            name: "shows black where a ray meets nothing",
+            hint: "What does a ray see that meets nothing?",
+            answer: |q| answer(q, Slip::NoBackdrop),
+        },
+        Mistake {
+            name: "divides the diffuse coefficient by π",
+            hint: "The coefficient is given per steradian: is a reflectance still to be made a BRDF?",
+            answer: |q| answer(q, Slip::DiffuseOverPi),
+        },
+        Mistake {
+            name: "lets light go straight on through glass, without bending it",
+            hint: "Look through a ball of glass: is what lies behind it where you see it?",
+            answer: |q| answer(q, Slip::StraightThroughGlass),
+        },
+        Mistake {
+            name: "leaves the highlight in the shadow",
+            hint: "Hide the lamp: which of its two terms can still be seen?",
+            answer: |q| answer(q, Slip::HighlightInTheShadow),
+        },
+        Mistake {
+            name: "takes the mean of the lamps' light, not their sum",
+            hint: "Switch on a second lamp: does the first one become darker?",
+            answer: |q| answer(q, Slip::LampsAveraged),
+        },
+        Mistake {
+            name: "shows the ambient light where the depth ends",
+            hint: "How bright is all beyond the last surface that may be met?",
+            answer: |q| answer(q, Slip::AmbientAtTheEnd),
+        },
+        Mistake {
+            name: "takes the direction's y without its sign for the share of the backdrop above",
+            hint: "What is seen straight below: the colour below, or the one above?",
+            answer: |q| answer(q, Slip::HeightWithoutSign),
+        },
+        Mistake {
+            name: "shows nothing but the backdrop in mirrors",
+            hint: "A ball stands before the mirror: what does the mirrored ray meet?",
+            answer: |q| answer(q, Slip::MirrorsShowTheBackdrop),
+        },
+        Mistake {
+            name: "makes the lamps grey, as bright as their luminance",
+            hint: "A red lamp on a white wall: which colour has the wall?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    for lamp in &mut q.scene.lamps {
+                        lamp.intensity = Rgb::gray(lamp.intensity.luminance());
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "only asks the nearest lamp",
+            hint: "The light of all the lamps adds up: how many lamps does your loop ask?",
+            answer: |q| answer(q, Slip::NearestLamp),
+        },
+        Mistake {
+            name: "lets a lamp's light pass through spheres",
+            hint: "A ball between the lamp and the floor: does light come through? Which of the three shapes does your loop ask?",
+            answer: |q| answer(q, Slip::LightThroughSpheres),
+        },
+        Mistake {
+            name: "lets everything through glass that comes from inside and is not totally reflected",
+            hint: "Look out of the water at a steep angle: is nothing of the water seen in its surface?",
+            answer: |q| answer(q, Slip::AllRefractedFromInside),
+        },
+        Mistake {
+            name: "takes the lamp's position for the direction to it",
+            hint: "Move the surface, and not the lamp: does the direction to the lamp change?",
+            answer: |q| answer(q, Slip::PositionForDirection),
+        },
+        Mistake {
+            name: "makes mirrors grey, as bright as their share's luminance",
+            hint: "A golden mirror: which colour has what is seen in it?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    for object in &mut q.scene.objects {
+                        if let Matter::Mirror(mirror) = &mut object.matter {
+                            mirror.share = Rgb::gray(mirror.share.luminance());
+                        }
+                    }
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

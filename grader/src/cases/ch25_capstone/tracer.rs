@@ -3,7 +3,7 @@
 use super::slip::Slip;
 use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
-use raybook::light::{Light, LightSample};
+use raybook::light::{Light, LightSample, point::PointLight};
 use raybook::material::{
     fresnel::fresnel, fresnel::schlick, mirror::reflect, phong::Phong, refract::refract,
 };
@@ -27,7 +27,7 @@ fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
 pub struct Tracer<'a> {
     scene: &'a Description,
     slip: Slip,
-    /// Refractions that may still go uncounted: in a scene that makes no sense, a ray may be refracted for ever.
+    /// Surfaces that may still go uncounted: between two mirrors, a ray would go on for ever.
     uncounted: Cell<u32>,
     /// What was seen in mirrors and in glass, where each counts by its own share only.
     beyond: Cell<Rgb>,
@@ -35,10 +35,9 @@ pub struct Tracer<'a> {
 
 impl<'a> Tracer<'a> {
     pub fn new(scene: &'a Description, slip: Slip) -> Self {
-        let many = if slip == Slip::RefractionNotCounted {
-            1000
-        } else {
-            0
+        let many = match slip {
+            Slip::RefractionNotCounted | Slip::MirrorsNotCounted => 1000,
+            _ => 0,
         };
         Self {
             scene,
@@ -60,28 +59,28 @@ impl<'a> Tracer<'a> {
 
     /// The radiance along a ray; `first` for the viewer's.
     fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
-        let backdrop = match self.slip {
-            Slip::HeightForShare => {
-                let Backdrop { below, above } = self.scene.backdrop;
-                below * (1.0 - ray.direction.y) + above * ray.direction.y
-            }
-            Slip::HeightAboveTheHorizon => {
-                let Backdrop { below, above } = self.scene.backdrop;
-                let height = ray.direction.y.max(0.0);
-                below * (1.0 - height) + above * height
-            }
-            _ => self.scene.backdrop.seen(ray.direction),
-        };
         if depth == 0 {
-            let seen = self.is(Slip::BackdropAtTheEnd);
-            return if seen { backdrop } else { Rgb::BLACK };
+            return match self.slip {
+                Slip::BackdropAtTheEnd => self.backdrop(ray.direction),
+                Slip::AmbientAtTheEnd => self.scene.ambient,
+                _ => Rgb::BLACK,
+            };
         }
         let Some((object, hit)) = self.nearest(ray) else {
-            let seen = first || !self.is(Slip::NoBackdropInMirrors);
-            return if seen { backdrop } else { Rgb::BLACK };
+            let hidden = self.is(Slip::NoBackdropInMirrors) && !first;
+            let is_black = hidden || self.is(Slip::NoBackdrop);
+            return if is_black {
+                Rgb::BLACK
+            } else {
+                self.backdrop(ray.direction)
+            };
         };
         let at = object.form.surface(ray, &hit);
-        let see_from = |ray: Ray| self.radiance(&ray, depth - 1, false);
+        let left = match object.matter {
+            Matter::Mirror(_) => self.left(depth, Slip::MirrorsNotCounted),
+            _ => depth - 1,
+        };
+        let see_from = |ray: Ray| self.radiance(&ray, left, false);
         let see = |direction: Dir3| {
             // Who never turns the normal steps off along it, wherever the ray goes.
             let off_along_it = self.is(Slip::NormalNeverTurned) && at.normal.dot(*direction) < 0.0;
@@ -98,9 +97,13 @@ impl<'a> Tracer<'a> {
             at.facing(-ray.direction)
         };
         let seen = match &object.matter {
-            Matter::Phong(phong) => self.phong(phong, &at, -ray.direction),
+            Matter::Phong(phong) => self.phong(phong, &at, -ray.direction, hit.t),
             Matter::Mirror(mirror) => {
-                let seen = see(reflect(ray.direction, normal));
+                let mirrored = reflect(ray.direction, normal);
+                let seen = match self.slip {
+                    Slip::MirrorsShowTheBackdrop => self.scene.backdrop.seen(mirrored),
+                    _ => see(mirrored),
+                };
                 match self.slip {
                     Slip::MirrorsWithoutColour => seen,
                     Slip::AmbientOnMirrors => mirror.share * seen + self.scene.ambient,
@@ -131,15 +134,13 @@ impl<'a> Tracer<'a> {
                     self.is(Slip::NormalNeverTurned) && at.normal.dot(*refracted) > 0.0;
                 let behind = if off_along_it || self.is(Slip::RefractedFromTheWrongSide) {
                     wrong_side(&at, refracted)
+                } else if self.is(Slip::StraightThroughGlass) {
+                    self.leave(&at, ray.direction)
                 } else {
                     self.leave(&at, refracted)
                 };
-                let through = if let Some(left) = self.uncounted.get().checked_sub(1) {
-                    self.uncounted.set(left);
-                    self.radiance(&behind, depth, false)
-                } else {
-                    see_from(behind)
-                };
+                let left = self.left(depth, Slip::RefractionNotCounted);
+                let through = self.radiance(&behind, left, false);
                 if self.is(Slip::NoShares) {
                     break 'glass through + mirrored();
                 }
@@ -156,6 +157,29 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         }
         seen
+    }
+
+    /// What a ray sees that meets nothing.
+    fn backdrop(&self, direction: Dir3) -> Rgb {
+        let Backdrop { below, above } = self.scene.backdrop;
+        let by_height = |height: f32| below * (1.0 - height) + above * height;
+        match self.slip {
+            Slip::HeightForShare => by_height(direction.y),
+            Slip::HeightAboveTheHorizon => by_height(direction.y.max(0.0)),
+            Slip::HeightWithoutSign => by_height(direction.y.abs()),
+            _ => self.scene.backdrop.seen(direction),
+        }
+    }
+
+    /// How many surfaces a new ray may meet: one less, unless the slip is not to count this one.
+    fn left(&self, depth: u32, uncounted: Slip) -> u32 {
+        match self.uncounted.get().checked_sub(1) {
+            Some(left) if self.is(uncounted) => {
+                self.uncounted.set(left);
+                depth
+            }
+            _ => depth - 1,
+        }
     }
 
     fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {
@@ -178,6 +202,7 @@ impl<'a> Tracer<'a> {
     fn mirrored_share(&self, cosine: f32, index: f32, here: f32, there: f32) -> f32 {
         match self.slip {
             Slip::AllRefracted => 0.0,
+            Slip::AllRefractedFromInside if here == index => 0.0,
             Slip::SharesExchanged => 1.0 - fresnel(cosine, here, there).unpolarised,
             Slip::FresnelFromOutside => fresnel(cosine, 1.0, index).unpolarised,
             Slip::FresnelTurned => fresnel(cosine, there, here).unpolarised,
@@ -227,39 +252,57 @@ impl<'a> Tracer<'a> {
         }
     }
 
-    fn phong(&self, phong: &Phong, at: &Surface, view: Dir3) -> Rgb {
+    /// What a surface shows to a viewer at some distance.
+    fn phong(&self, phong: &Phong, at: &Surface, view: Dir3, away: f32) -> Rgb {
         let lamps = &self.scene.lamps;
         let counted = if self.is(Slip::OneLamp) {
             1
         } else {
             lamps.len()
         };
-        let mut is_over = false;
+        let (mut is_over, mut is_shadowed) = (false, false);
         let lights = lamps.iter().take(counted).filter_map(|lamp| {
             if is_over {
                 return None;
             }
             let mut light = lamp.sample(at.position, Vec2::ZERO)?;
             let distance = light.distance;
+            let is_nearer = |other: &PointLight| other.position.distance(at.position) < distance;
+            if self.is(Slip::NearestLamp) && lamps.iter().any(is_nearer) {
+                return None;
+            }
             light.arriving = match self.slip {
                 Slip::NoFalloff => lamp.intensity,
                 Slip::FalloffByDistance => lamp.intensity / distance,
                 Slip::FalloffByCube => lamp.intensity / distance.powi(3),
+                Slip::FalloffUpToTheViewer => lamp.intensity / (distance + away).powi(2),
                 Slip::LampIsAPower => light.arriving / (4.0 * PI),
                 Slip::LampsTwiceAsBright => light.arriving * 2.0,
                 _ => light.arriving,
             };
+            if self.is(Slip::PositionForDirection) {
+                light.toward = Dir3::new_or(lamp.position, light.toward);
+            }
             let arrives = self.arrives(at, view, &light);
             let is_above = light.toward.dot(*at.facing(view)) > 0.0;
-            is_over = self.is(Slip::ShadowEndsTheLoop) && is_above && !arrives;
-            arrives.then_some(light)
+            let is_hidden = is_above && !arrives;
+            is_over = self.is(Slip::ShadowEndsTheLoop) && is_hidden;
+            is_shadowed |= self.is(Slip::ShadowIsBlack) && is_hidden;
+            (arrives || self.is(Slip::HighlightInTheShadow)).then_some((light, arrives))
         });
-        let lit: Rgb = lights.map(|light| self.lit(phong, at, view, &light)).sum();
+        let lit = lights.map(|(light, arrives)| self.lit(phong, at, view, &light, arrives));
+        let mut lit: Rgb = lit.sum();
+        if self.is(Slip::LampsAveraged) && !lamps.is_empty() {
+            lit = lit / lamps.len() as f32;
+        }
         let times = match self.slip {
             Slip::NoAmbient => 0.0,
             Slip::AmbientForEachLamp => lamps.len() as f32,
             _ => 1.0,
         };
+        if is_shadowed {
+            return Rgb::BLACK;
+        }
         phong.ambient * self.scene.ambient * times + lit
     }
 
@@ -278,6 +321,7 @@ impl<'a> Tracer<'a> {
             let clear = match self.slip {
                 Slip::LightThroughGlass => matches!(object.matter, Matter::Glass(_)),
                 Slip::LightThroughMirrors => matches!(object.matter, Matter::Mirror(_)),
+                Slip::LightThroughSpheres => matches!(object.form, Form::Sphere(_)),
                 Slip::LightThroughPlanes => matches!(object.form, Form::Plane(_)),
                 Slip::LightThroughTriangles => matches!(object.form, Form::Triangle(_)),
                 _ => false,
@@ -287,8 +331,15 @@ impl<'a> Tracer<'a> {
         self.is(Slip::NoShadows) || self.scene.objects.iter().find(blocks).is_none()
     }
 
-    /// What the surface makes of it.
-    fn lit(&self, phong: &Phong, at: &Surface, view: Dir3, light: &LightSample) -> Rgb {
+    /// What the surface makes of a lamp's light, whether it arrives or should not.
+    fn lit(
+        &self,
+        phong: &Phong,
+        at: &Surface,
+        view: Dir3,
+        light: &LightSample,
+        arrives: bool,
+    ) -> Rgb {
         let normal = if matches!(self.slip, Slip::NormalNotTurned | Slip::NormalNeverTurned) {
             at.normal
         } else {
@@ -311,7 +362,12 @@ impl<'a> Tracer<'a> {
             Slip::NoHighlight => Rgb::BLACK,
             _ => shine,
         };
-        let diffuse = if self.is(Slip::NoCosine) { 1.0 } else { cosine };
+        let diffuse = match self.slip {
+            Slip::NoCosine => 1.0,
+            Slip::DiffuseOverPi => cosine / PI,
+            Slip::HighlightInTheShadow if !arrives => 0.0,
+            _ => cosine,
+        };
         if self.is(Slip::HighlightUnlit) {
             return phong.diffuse * diffuse * light.arriving + shine;
         }

@@ -60,12 +60,16 @@ pub(super) struct Adding {
     pub(super) apart: fn(Vec3, Vec3, usize) -> f32,
     /// What the distances of the first planes lack.
     pub(super) late: fn(&GridWalk) -> f32,
+    /// Where the lattice begins, for the first cell's number.
+    pub(super) corner: fn(&GridWalk) -> Vec3,
     /// A cell's number, from a place in the lattice.
     pub(super) rounded: fn(f32) -> f32,
     /// The axis along which the ray leaves a cell.
     pub(super) chosen: fn([f32; 3]) -> Option<usize>,
     /// The axes along which the cell changes.
     pub(super) moves: [bool; 3],
+    /// Whether a distance is that of the plane after the one that is crossed.
+    pub(super) is_late: bool,
     /// Whether it ends where the ray leaves the lattice, in whatever cell it is then, and leaves out cells that the ray seems to leave before it
     /// enters.
     pub(super) is_clipped: bool,
@@ -75,9 +79,11 @@ pub(super) struct Adding {
 pub(super) const ADDING: Adding = Adding {
     apart: |cell, d, axis| (cell[axis] / d[axis]).abs(),
     late: |_| 0.0,
+    corner: |q| q.min,
     rounded: f32::floor,
     chosen: |next| nearest(next).first().copied(),
     moves: [true; 3],
+    is_late: false,
     is_clipped: false,
 };
 
@@ -89,7 +95,7 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
     };
     let within = if by.is_clipped { part } else { q.within };
     let (o, d) = (q.ray.origin, *q.ray.direction);
-    let place = (q.ray.at(start(q)) - lattice.min) / lattice.cell;
+    let place = (q.ray.at(start(q)) - (by.corner)(q)) / lattice.cell;
     let last = lattice.resolution.as_ivec3() - 1;
     let mut cell = place.to_array().map(by.rounded).map(|i| i as i32);
     for axis in 0..3 {
@@ -111,7 +117,9 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
             break;
         };
         let [x, y, z] = cell.map(|i| i as u32);
-        let leave = next[axis].min(within.max);
+        let apart = (by.apart)(lattice.cell, d, axis);
+        let behind = if by.is_late { apart } else { 0.0 };
+        let leave = (next[axis] + behind).min(within.max);
         if leave > enter || !by.is_clipped {
             visits.push(Visit { x, y, z, leave });
         }
@@ -122,7 +130,7 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
         if next[axis] >= within.max || !(0..=last[axis]).contains(&cell[axis]) {
             break;
         }
-        next[axis] += (by.apart)(lattice.cell, d, axis);
+        next[axis] += apart;
     }
     visits
 }

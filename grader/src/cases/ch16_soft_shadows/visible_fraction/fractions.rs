@@ -64,6 +64,21 @@ pub(super) fn seen_past(
         .collect()
 }
 
+/// The fractions by a lattice of which each place that is seen counts by its cosine at the light.
+pub(super) fn by_cosine(q: &VisibleFraction) -> Vec<f32> {
+    let normal = q.a.cross(q.b).normalize_or_zero();
+    let of_point = |(from, seen): (&Vec3, Vec<bool>)| {
+        let cosine = |u: Vec2| {
+            let r = q.corner + u.x * q.a + u.y * q.b - *from;
+            -r.normalize_or_zero().dot(normal)
+        };
+        let places = lattice(FINE).zip(seen).filter(|(_, seen)| *seen);
+        let sum: f32 = places.map(|(u, _)| cosine(u)).sum();
+        sum / (FINE * FINE) as f32
+    };
+    q.points.iter().zip(seen_places(q)).map(of_point).collect()
+}
+
 /// Of each point, which places it sees of the lattice that stands for the whole light.
 pub(super) fn seen_places(q: &VisibleFraction) -> Vec<Vec<bool>> {
     seen_at(q, FINE, |u| u, between([0.0, 1.0]))

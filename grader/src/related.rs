@@ -10,7 +10,7 @@ use crate::shrink::domain::Domain;
 use raybook_workbook::kind::{Kind, VECTOR};
 use std::io;
 
-/// The random cases from which questions are made: at equal steps, the last one included.
+/// The number of random cases from which questions are made.
 const FROM: usize = 4;
 
 /// The numbers of elements in the questions of an exercise that builds a structure.
@@ -36,13 +36,16 @@ impl dyn Examiner + '_ {
         } else {
             Domain::of(self)
         };
-        let some: Vec<_> = (1..=FROM).map(|i| i * cases.len() / FROM).collect();
         let mut followers = Vec::new();
-        for (place, case) in cases.iter().enumerate() {
-            if case.is_random() && !some.contains(&(place + 1)) {
+        let mut left = FROM;
+        for (place, case) in asked_first(cases) {
+            if case.is_random() && left == 0 {
                 continue;
             }
             let related = self.related(&domain, case).into_iter();
+            if case.is_random() && related.len() > 0 {
+                left -= 1;
+            }
             followers.extend(related.map(|(how, case)| Follower {
                 case,
                 place,
@@ -55,6 +58,7 @@ impl dyn Examiner + '_ {
                 is_long: false,
             }));
         }
+        followers.sort_by_key(|one: &Follower| one.place);
         let crowds = cases.last().map(|last| self.crowds(last));
         followers.extend(crowds.into_iter().flatten().map(|case| Follower {
             place: cases.len() - 1,
@@ -106,6 +110,19 @@ impl dyn Examiner + '_ {
         let case = self.case(name, question).ok()?;
         Some(Case { number, ..case })
     }
+}
+
+/// The named cases, and twice as many random ones as are needed, for from some no question follows: at equal steps, the last one first.
+fn asked_first(cases: &[Case]) -> impl Iterator<Item = (usize, &Case)> {
+    let step = |i: usize| (i * cases.len() / (2 * FROM)).saturating_sub(1);
+    let mut places: Vec<_> = (1..=2 * FROM).rev().map(step).collect();
+    places.dedup(); // of few cases
+    let all = cases.iter().enumerate();
+    let random = places
+        .into_iter()
+        .filter_map(|place| Some((place, cases.get(place)?)));
+    all.filter(|(_, case)| !case.is_random())
+        .chain(random.filter(|(_, case)| case.is_random()))
 }
 
 /// What is done to a question that is turned.

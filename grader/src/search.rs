@@ -235,8 +235,8 @@ fn go(tree: &Tree, root: &Node, how: How) -> Found {
 }
 
 /// The least work of any search that asks boxes: that of one that knows the hit, if there is one, and opens only what the ray
-/// enters before it. Boxes are a little smaller here, and the way shorter: what the ray only grazes may be left out. A search that asks
-/// the box of the root first has no work where the ray misses it.
+/// enters before it. Boxes are a little smaller here, and the way shorter: what the ray only grazes may be left out. A search that
+/// asks the box of the root first has no work where the ray misses it.
 pub fn least(tree: &Tree, root: &Node, hit: Option<&MeshHitAnswer>) -> Found {
     if hit.is_none() && misses(tree, root) {
         return Found::default();
@@ -300,8 +300,9 @@ pub fn counted(what: &str, least: u32, got: u32) -> Verdict {
     if got >= least {
         Ok(())
     } else {
+        let why = "some are not counted, or the search ends too early";
         Err(format!(
-            "of {what} you count {got}, and no search can do with less than {least}: either not each is counted, or the search ends too early"
+            "of {what} you count {got}, and no search can do with less than {least}: {why}"
         ))
     }
 }
@@ -444,13 +445,13 @@ impl Search<'_> {
     /// Whether a box that is met is taken for missed.
     fn loses(&self, bounds: &Aabb) -> bool {
         let ray = self.tree.ray;
-        let stands = || ray.direction.to_array().contains(&0.0);
+        let is_parallel = || ray.direction.to_array().contains(&0.0);
         let begins_inside = || {
             let all = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
             let enters = slab::clip(bounds, ray, all).map(|inside| inside.min);
             enters.is_some_and(|t| t <= self.tree.within.min)
         };
-        self.how.loses_parallel && stands() || self.how.only_from_outside && begins_inside()
+        self.how.loses_parallel && is_parallel() || self.how.only_from_outside && begins_inside()
     }
 
     /// Whether a triangle is hit.
@@ -462,9 +463,11 @@ impl Search<'_> {
             within.min = 0.0;
         }
         let hit = (Facet { corners, id }).hit(self.tree.ray, within);
-        let n = (corners[1] - corners[0]).cross(corners[2] - corners[0]);
-        let is_front = n.dot(*self.tree.ray.direction) < 0.0;
-        let hit = hit.filter(|_| is_front || !self.how.culls);
+        let is_front = || {
+            let n = (p1 - p0).cross(p2 - p0);
+            n.dot(*self.tree.ray.direction) < 0.0
+        };
+        let hit = hit.filter(|_| !self.how.culls || is_front());
         self.found.tests += u32::from(hit.is_some() || !self.how.counts_hits);
         if let Some(hit) = &hit {
             if self.how.shortens {

@@ -1,10 +1,11 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
-//! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from different seeds. At
-//! most 18 of them are asked of a pattern, with 7e-9 in all; and they are asked of its cases, of these with the first further questions, and seldom
-//! of up to three more rounds (see [`crate::further`]): 2e-8 for a pattern. The answer to a case fails alone by chance with 4e-10
-//! (`points.rs`), and one of a thousand points with 2e-8: 4e-8 in all; of further answers, two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten
-//! thousand classes. Estimates are judged together if one question has other answers each time: a question without a seed may be answered by the
+//! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from
+//! different seeds. At most 21 of them are asked of a pattern, with 1e-8 in all; and they are asked of its cases, of these with
+//! the first further questions, and seldom of up to three more rounds (see [`crate::further`]): 3e-8 for a pattern. The answer to
+//! a case fails alone by chance with 4e-10 (`points.rs`), and one of a thousand points with 2e-8: 5e-8 in all; of further answers,
+//! two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten thousand classes.
+//! Estimates are judged together if one question has other answers each time: a question without a seed may be answered by the
 //! same random numbers each time, and then all of them are off to the same side.
 
 use crate::Verdict;
@@ -113,11 +114,17 @@ pub fn fills(what: &str, numbers: impl Iterator<Item = f64>, bounds: Bounds) -> 
     Ok(())
 }
 
-/// Each number with the next: whether a generator's numbers hang together one after the other. All are uniform in [0, 1).
+/// Each number with the next: whether a generator's numbers hang together one after the other. All are uniform in [0, 1); `what`
+/// says what a number is, and `next` of what the next number is.
 ///
 /// # Errors
 /// If their correlation is larger than chance makes it.
-pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>, bounds: Bounds) -> Verdict {
+pub fn serial(
+    what: &str,
+    next: &str,
+    lists: impl Iterator<Item = Vec<f64>>,
+    bounds: Bounds,
+) -> Verdict {
     let (mut sum, mut n) = (0.0, 0.0);
     for list in lists {
         for two in list.windows(2) {
@@ -129,7 +136,7 @@ pub fn serial(what: &str, lists: impl Iterator<Item = Vec<f64>>, bounds: Bounds)
     if sum.abs() > bounds.of(DEVIATIONS) / 12.0 * f64::sqrt(n) + 1.0 {
         let how = if sum > 0.0 { "near" } else { "opposite" };
         return Err(format!(
-            "{what} of one point is often {how} to that of the next: they are not independent"
+            "{what} is often {how} to that of {next}: they are not independent"
         ));
     }
     Ok(())

@@ -58,8 +58,8 @@ fn the_ranges_are_those_of_the_cases() {
     let (code, said) = raybook(&home, &["exercise", "sphere_hit"]);
     assert_eq!(code, 0, "{said}");
     for line in [
-        "    radius        number            0.125 to 2        The sphere's radius, in metres, above 0.",
-        "    within        min max           -9 to 5.23, inf   The distances that count: min < t < max, in metres.",
+        "    radius        number            0.125 to 2      The sphere's radius, in metres, above 0.",
+        "    within        min max           -9 to 9, inf    The distances that count: min < t < max, in metres.",
         "    t      number or none   -4 to 4096, none   The distance along the ray, in metres; none for a miss.",
     ] {
         assert!(said.contains(line), "{line}\n{said}");
@@ -97,7 +97,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("sphere_hit", "May be infinite in a question: `within`."),
         (
             "sphere_hit",
-            "The right answer is or holds `none` in 23 of 56 cases, such as \"the sphere is behind\".",
+            "The right answer is or holds `none` in 23 of 57 cases, such as \"the sphere is behind\".",
         ),
         ("bounds_of", "May be empty in a question: `points`."),
         ("voxels_of_triangle", "The order of `cells` does not count."),

@@ -28,14 +28,14 @@ fn the_numbers_of_a_colour_are_its_channels() {
 fn a_length_of_one_component_only_is_named() {
     let found = diagnosed("geodesic_step", |q| {
         let (x, v, step) = (DVec3::from_slice(q), DVec3::from_slice(&q[3..]), q[6]);
-        let square = x.cross(v).z.powi(2);
+        let square = x.cross(v).y.powi(2);
         let pull = |x: DVec3| -1.5 * square / x.length().powi(5) * x;
         let half = v + 0.5 * step * pull(x);
         let after = x + step * half;
         let turned = half + 0.5 * step * pull(after);
         Some([after.to_array(), turned.to_array()].concat())
     });
-    let told = "takes 0 for all but z";
+    let told = "takes 0 for all but y";
     assert!(found.name.ends_with(told), "{found:?}");
 }
 

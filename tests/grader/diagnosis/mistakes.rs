@@ -944,7 +944,7 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "pixel_average",
         "half the radius",
-        &["half of radius"],
+        &["half of radius", "the radius for the filter's whole width"],
         |q, right| misread(q, right, |q| q[0] *= 0.5),
     ),
     slip("pixel_average", "encodes", &["2.2", "sRGB"], |q, right| {
@@ -958,6 +958,7 @@ pub const MISTAKES: &[Slip] = &[
         &[
             "exchanges x and y",
             "column and row”: exchanges both numbers",
+            "moves by the row along x, and by the column along y",
         ],
         |q, right| misread(q, right, |q| q.swap(0, 1)),
     ),

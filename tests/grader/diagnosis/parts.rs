@@ -34,13 +34,12 @@ fn a_number_that_is_taken_for_nothing_is_named() {
 }
 
 #[test]
-fn numbers_each_in_a_unit_of_its_own_are_named() {
+fn angles_in_the_place_of_shares_are_named() {
     let found = diagnosed("direction_to_latlong", |q| {
         let place = right("direction_to_latlong", q);
         Some(vec![TAU * place[0], PI * place[1]])
     });
-    let told =
-        "returns 6.2832 (2π) times x of the answer, and returns 3.1416 (π) times y of the answer";
+    let told = "returns the angles, not their shares of the way round and of the way down";
     assert_eq!((&*found.name, found.certain), (told, true), "{found:?}");
 }
 

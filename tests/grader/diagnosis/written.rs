@@ -52,13 +52,13 @@ fn what_the_steps_call_a_mistake_of_the_list_is_no_rival_of_it() {
 }
 
 #[test]
-fn a_leaf_that_the_task_knows_nothing_of_is_named() {
+fn a_leaf_of_two_where_a_cut_pays_is_named() {
     let found = diagnosed("bvh_build", |q| {
         // Where a leaf may hold two, branches of two single boxes are leaves.
         let [rows, order] = again(&told("bvh_build", q), false, q[0] >= 2.0);
         Some(tree_of(&rows, &order))
     });
-    let told = "takes 2 for the number of boxes up to which a node stays a leaf, whatever a cut costs, which is 1";
+    let told = "lets a branch cost two tests, one for each child's box";
     assert_eq!(found.name, told);
 }
 

@@ -152,11 +152,6 @@ impl Graded for EncodeSrgb {
             hint: "What is the code value of something below black?",
             answer: |q| curve(q.v.min(1.0), 0.003_130_8, 1.0 / 2.4, 0.055),
         },
-        Mistake {
-            name: "rounds to steps of 1/255",
-            hint: "A file has 256 code values: is the rounding to one of them asked for here?",
-            answer: |q| (255.0 * EncodeSrgb::right(q)).round() / 255.0,
-        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

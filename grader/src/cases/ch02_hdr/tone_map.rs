@@ -150,7 +150,7 @@ impl Graded for ToneMap {
         },
         Mistake {
             name: "leaves colours alone whose luminance is at most 1",
-            hint: "Gray 1 becomes 1/2: and which gray becomes 1?",
+            hint: "A luminance of 1 becomes ½: what does a luminance of ½ become?",
             answer: |q| {
                 // White has the luminance 1 but for rounding.
                 if q.radiance.luminance() < 1.0001 {
@@ -169,18 +169,6 @@ impl Graded for ToneMap {
                     let alone = v / (1.0 + v);
                     (1.0 - alone) * v / (1.0 + l) + alone * alone
                 })
-            },
-        },
-        Mistake {
-            name: "makes the luminance 1/(1 + L)",
-            hint: "A dark colour should stay dark: what does 1/(1 + L) make of L = 0?",
-            answer: |q| {
-                let l = q.radiance.luminance();
-                if l > 0.0 {
-                    q.radiance * (1.0 / (1.0 + l) / l)
-                } else {
-                    Rgb::BLACK
-                }
             },
         },
     ];

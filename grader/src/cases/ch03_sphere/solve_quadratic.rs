@@ -192,7 +192,7 @@ impl Graded for SolveQuadratic {
         },
         Mistake {
             name: "writes /2*a, which divides by 2 and multiplies by a",
-            hint: "What does your language calculate first in x/2*a? Put parentheses round 2a.",
+            hint: "What does your language calculate first in x/2*a?",
             answer: |q| SolveQuadratic::right(q).map(|t| q.a * q.a * t),
         },
         Mistake {
@@ -242,7 +242,7 @@ impl Graded for SolveQuadratic {
         },
         Mistake {
             name: "divides only the square root by 2a, and not −b",
-            hint: "What does your language calculate first in −b − √…/(2a)? Put parentheses round the difference.",
+            hint: "What does your language calculate first in −b − √…/(2a)?",
             answer: |q| {
                 roots(q, |q, root| {
                     let half = root / (2.0 * q.a);

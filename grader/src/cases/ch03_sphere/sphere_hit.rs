@@ -351,7 +351,7 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
-            name: "calls a sphere a miss that the ray nearly touches",
+            name: "calls a sphere a miss that the ray only grazes",
             hint: "How small must the number under the root be, for there to be no root?",
             answer: |q| {
                 let roots = both(q)?;

@@ -51,7 +51,7 @@ impl Graded for SphereNormal {
         },
         Mistake {
             name: "divides the centre only by the radius, as p − c/r",
-            hint: "What does your language calculate first in p − c/r? Put parentheses round p − c.",
+            hint: "What does your language calculate first in p − c/r?",
             answer: |q| q.p - q.center / q.radius,
         },
         Mistake {
@@ -69,7 +69,7 @@ impl Graded for SphereNormal {
         },
         Mistake {
             name: "divides the point only by the radius, as p/r − c",
-            hint: "What does your language calculate first in p/r − c? Put parentheses round a difference.",
+            hint: "What does your language calculate first in p/r − c?",
             answer: |q| q.p / q.radius - q.center,
         },
         Mistake {
@@ -78,7 +78,7 @@ impl Graded for SphereNormal {
             answer: |q| q.p.normalize_or_zero() - q.center.normalize_or_zero(),
         },
         Mistake {
-            name: "turns the normal toward the world's origin",
+            name: "turns the normal towards the world's origin",
             hint: "Move the sphere, and not the world's origin: does the side change that is outside?",
             answer: |q| {
                 let n = Self::right(q);

@@ -258,6 +258,33 @@ impl Graded for BoxClip {
             hint: "How long must the part be to count? The ray may pass just beside an edge.",
             answer: |q| BoxClip::right(q).filter(|part| part.max - part.min >= 1e-3),
         },
+        Mistake {
+            name: "moves the exit along an axis only if it does not move the entry there (else if)",
+            hint: "The box is entered and left along each axis: may one axis move both ends?",
+            answer: |q| {
+                let Interval { mut min, mut max } = q.within;
+                for (_, (near, far)) in crossed(q)? {
+                    if near > min {
+                        min = near;
+                    } else if far < max {
+                        max = far;
+                    }
+                }
+                finish(min, max)
+            },
+        },
+        Mistake {
+            name: "skips an axis if the ray begins between its two planes",
+            hint: "The ray begins inside, and never leaves in your program: which axes do you ask?",
+            answer: |q| {
+                let begins_outside =
+                    |axis: usize| !(q.min[axis]..=q.max[axis]).contains(&q.ray.origin[axis]);
+                let asked = crossed(q)?
+                    .into_iter()
+                    .filter(|(axis, _)| begins_outside(*axis));
+                overlap(q, asked.map(|(_, part)| part))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -332,8 +359,8 @@ fn finish(min: f32, max: f32) -> Option<Interval> {
     (max - min >= 0.0).then_some(Interval { min, max })
 }
 
-/// The axes along which the ray moves, each with where the whole line enters and leaves its slab; nothing for a ray outside of a slab that it
-/// runs along.
+/// The axes along which the ray moves, each with where the whole line enters and leaves its slab; nothing for a ray outside of a
+/// slab that it runs along.
 fn crossed(q: &BoxClip) -> Option<Vec<(usize, (f32, f32))>> {
     let is_beside = |axis: usize| {
         let slab = q.min[axis]..=q.max[axis];

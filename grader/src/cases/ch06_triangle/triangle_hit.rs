@@ -161,23 +161,28 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "finds the weights in the shadow along z, and misses a triangle that is seen on edge from there",
-            hint: "Stand the triangle upright: how large is its shadow on the xy plane? Which axis would make the largest shadow?",
+            name: "finds the weights in the projection on the xy plane, and misses a triangle that is perpendicular to it",
+            hint: "Stand the triangle upright: how large is its projection on the xy plane? On which of the three planes is it largest?",
             answer: |q| TriangleHit::right(q).filter(|_| normal(q).z != 0.0),
         },
         Mistake {
-            name: "takes areas without a sign for the weights",
+            name: "takes areas without a sign for the weights, and divides them by their sum",
             hint: "The length of a cross product is never negative: what tells you on which side of an edge a point is?",
             answer: |q| {
-                plane(q, |b1, b2| b1.abs() + b2.abs() <= 1.0).map(|hit| TriangleHitAnswer {
-                    b1: hit.b1.abs(),
-                    b2: hit.b2.abs(),
-                    ..hit
+                plane(q, |_, _| true).map(|hit| {
+                    let weights = [1.0 - hit.b1 - hit.b2, hit.b1, hit.b2];
+                    let [b0, b1, b2] = weights.map(f32::abs);
+                    let sum = b0 + b1 + b2;
+                    TriangleHitAnswer {
+                        b1: b1 / sum,
+                        b2: b2 / sum,
+                        ..hit
+                    }
                 })
             },
         },
         Mistake {
-            name: "moves weights below 0 to 0 and weights above 1 to 1, instead of missing",
+            name: "clamps the weights to the range from 0 to 1, instead of missing",
             hint: "What does a negative weight say about the point: may it be mended?",
             answer: |q| {
                 plane(q, |_, _| true).map(|hit| TriangleHitAnswer {
@@ -209,13 +214,13 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "finds the weights in the shadow along y, and misses a triangle that is seen on edge from there",
-            hint: "Stand the triangle upright: how large is its shadow on the floor? Which axis would make the largest shadow?",
+            name: "finds the weights in the projection on the zx plane, and misses a triangle that is perpendicular to it",
+            hint: "Stand the triangle upright: how large is its projection on the floor? On which of the three planes is it largest?",
             answer: |q| TriangleHit::right(q).filter(|_| normal(q).y != 0.0),
         },
         Mistake {
-            name: "finds the weights in the shadow along x, and misses a triangle that is seen on edge from there",
-            hint: "Lay the triangle on the floor: how large is its shadow on the yz plane? Which axis would make the largest shadow?",
+            name: "finds the weights in the projection on the yz plane, and misses a triangle that is perpendicular to it",
+            hint: "Lay the triangle on the floor: how large is its projection on the yz plane? On which of the three planes is it largest?",
             answer: |q| TriangleHit::right(q).filter(|_| normal(q).x != 0.0),
         },
         Mistake {
@@ -240,6 +245,18 @@ impl Graded for TriangleHit {
                         ..hit
                     }
                 })
+            },
+        },
+        Mistake {
+            name: "projects the point onto each of the two edges by itself for the weights",
+            hint: "Where the edges are not perpendicular, what does a step along one of them change in the projection onto the other?",
+            answer: |q| {
+                let hit = plane(q, |_, _| true)?;
+                let from_p0 = q.ray.at(hit.t) - q.p0;
+                let [b1, b2] = [q.p1 - q.p0, q.p2 - q.p0]
+                    .map(|edge| from_p0.dot(edge) / edge.length_squared());
+                let is_inside = b1 >= 0.0 && b2 >= 0.0 && b1 + b2 <= 1.0;
+                is_inside.then_some(TriangleHitAnswer { b1, b2, ..hit })
             },
         },
     ];

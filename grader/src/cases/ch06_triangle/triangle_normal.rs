@@ -74,7 +74,7 @@ impl Graded for TriangleNormal {
             answer: |q| TriangleNormal::right(q).map(|n| if n.dot(q.p0) < 0.0 { -n } else { n }),
         },
         Mistake {
-            name: "turns the normal toward the world's origin",
+            name: "turns the normal towards the world's origin",
             hint: "It is the order of the corners that decides which side is outside: move the triangle to the other side of the origin, and look at its normal.",
             answer: |q| TriangleNormal::right(q).map(|n| if n.dot(q.p0) > 0.0 { -n } else { n }),
         },
@@ -103,6 +103,16 @@ impl Graded for TriangleNormal {
                 let have_met = q.p0 == q.p1 || q.p1 == q.p2 || q.p2 == q.p0;
                 (!have_met).then(|| TriangleNormal::right(q).unwrap_or(Vec3::NAN))
             },
+        },
+        Mistake {
+            name: "takes the third corner itself for the edge to it",
+            hint: "An edge leads from one corner to another: where does yours to the third corner begin?",
+            answer: |q| Dir3::new((q.p1 - q.p0).cross(q.p2)).map(|n| *n),
+        },
+        Mistake {
+            name: "takes the second corner itself for the edge to it",
+            hint: "An edge leads from one corner to another: where does yours to the second corner begin?",
+            answer: |q| Dir3::new(q.p1.cross(q.p2 - q.p0)).map(|n| *n),
         },
     ];
 }

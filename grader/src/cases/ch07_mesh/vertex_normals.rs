@@ -393,12 +393,11 @@ impl Graded for VertexNormals {
             },
         },
         Mistake {
-            name: "weighs by the length of all three sides together",
-            hint: "Stretch a triangle until it is a thin splinter: what becomes of its area, and what of its sides?",
+            name: "adds +y for a triangle without area",
+            hint: "What is +y the answer to, and what does such a triangle add to a sum?",
             answer: |q| {
-                normals(q, |e1, e2| {
-                    let sides = e1.length() + e2.length() + e1.distance(e2);
-                    sides * e1.cross(e2).normalize_or_zero()
+                running(q, |so_far, v| {
+                    so_far + if v == Vec3::ZERO { Vec3::Y } else { v }
                 })
             },
         },

@@ -287,12 +287,11 @@ impl Graded for GridResolution {
         Mistake {
             name: "never cuts an axis into more than 128 cells",
             hint: "Does the task limit the number of cells along an axis?",
-            answer: |q| limited(q, 128),
-        },
-        Mistake {
-            name: "never cuts an axis into more than 64 cells",
-            hint: "Does the task limit the number of cells along an axis?",
-            answer: |q| limited(q, 64),
+            answer: |q| {
+                let Cell { x, y, z } = Self::right(q);
+                let [x, y, z] = [x, y, z].map(|n| n.min(128));
+                Cell { x, y, z }
+            },
         },
     ];
 }
@@ -368,16 +367,6 @@ fn all_along_the_longest(q: &GridResolution) -> Cell {
         along[q.extents.max_position()] = cells(q);
     }
     whole(along)
-}
-
-/// The right answer with at most this number of cells along an axis.
-fn limited(q: &GridResolution, most: u32) -> Cell {
-    let Cell { x, y, z } = GridResolution::right(q);
-    Cell {
-        x: x.min(most),
-        y: y.min(most),
-        z: z.min(most),
-    }
 }
 
 /// The cells along each axis, if some of them share all cells.

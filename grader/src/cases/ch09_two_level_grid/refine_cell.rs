@@ -30,9 +30,14 @@ fn without_those_outside(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) ->
     let mut answer = with_shapes(q, &shape);
     answer.entries.retain(|entry| {
         let shape = shape(&q.shapes[entry.shape as usize]);
-        shape.max.cmpge(q.min).all() && shape.min.cmple(q.max).all()
+        reaches(q, &shape)
     });
     answer
+}
+
+/// Whether a box reaches the coarse cell.
+fn reaches(q: &RefineCell, shape: &Corners) -> bool {
+    shape.max.cmpge(q.min).all() && shape.min.cmple(q.max).all()
 }
 
 /// The reference's answer without the shapes that are dropped.
@@ -402,10 +407,13 @@ impl Graded for RefineCell {
             name: "rounds to the nearest number of a cell",
             hint: "A shape begins at 0.7 cells from the corner, where the first cell begins at 0: in which cell is that?",
             answer: |q| {
-                with_cells(q, |begin, end, last| {
+                let mut answer = with_cells(q, |begin, end, last| {
                     let number = |at: Vec3| (at + 0.5).floor().clamp(Vec3::ZERO, last);
                     (number(begin), number(end))
-                })
+                });
+                let inside = |entry: &Entry| reaches(q, &q.shapes[entry.shape as usize]);
+                answer.entries.retain(inside);
+                answer
             },
         },
         Mistake {
@@ -434,8 +442,8 @@ impl Graded for RefineCell {
     ];
 }
 
-/// The answer for the resolution of a cell of these extents with `shapes` shapes, and at most `most` along each axis; the right one for
-/// an empty cell.
+/// The answer for the resolution of a cell of these extents with `shapes` shapes, and at most `most` along each axis; the right one
+/// for an empty cell.
 fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCellAnswer {
     cut_by(q, extents, shapes, |n| n.min(UVec3::splat(most)))
 }
@@ -523,7 +531,7 @@ fn with_cells(
 
 /// The same with fine cells of this size.
 fn with_numbers(
-    right: RefineCellAnswer,
+    mut right: RefineCellAnswer,
     q: &RefineCell,
     size: Vec3,
     numbers: impl Fn(Vec3, Vec3, Vec3) -> (Vec3, Vec3),
@@ -541,7 +549,8 @@ fn with_numbers(
             entries.push(Entry { x, y, z, shape });
         }
     }
-    RefineCellAnswer { entries, ..right }
+    right.entries = entries;
+    right
 }
 
 /// The cell of an entry.

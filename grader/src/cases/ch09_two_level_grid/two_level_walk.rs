@@ -431,7 +431,8 @@ fn numbered(q: &TwoLevelWalk, number: fn(&TwoLevelWalk, [u32; 3], [u32; 3]) -> u
     TwoLevelWalk::right(q).into_iter().map(renumbered).collect()
 }
 
-/// The walk with another number of fine cells before those of a coarse cell, from the resolutions of the coarse cells up to this one.
+/// The walk with another number of fine cells before those of a coarse cell, from the resolutions of the coarse cells up to this
+/// one.
 fn before_is(q: &TwoLevelWalk, before: impl Fn(&[UVec3]) -> u32) -> Vec<u32> {
     let levels = q.levels();
     let cuts: Vec<_> = levels.cuts.iter().collect();

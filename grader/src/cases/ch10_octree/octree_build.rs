@@ -22,7 +22,7 @@ fn built(
     let limits = limits(Limits {
         opening: q.opening,
         copies: q.copies,
-        depth: q.depth,
+        depth: q.depth.min(Limits::DEEPEST),
     });
     let bounds = Aabb {
         min: q.min,
@@ -242,7 +242,7 @@ impl Graded for OctreeBuild {
         Flaw {
             complaint: "is the child of two nodes",
             name: "gives two nodes the same child",
-            hint: "How long is the list of nodes at the moment when a node's children are appended?",
+            hint: "A node's eight children stand in a row, before any of their own children: how long is the list of nodes at the moment when they are appended?",
         },
         Flaw {
             complaint: "a node with children is 1, its first child and 0",
@@ -542,9 +542,10 @@ impl Graded for OctreeBuild {
         },
         Mistake {
             name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell",
-            hint: "What does a ray pay in a cell of two shapes that is not cut, however many shapes the scene has?",
+            hint: "What does a ray pay in a cell of two shapes, or of none, that is not cut, however many shapes the scene has?",
             answer: |q| {
                 by(q, |rule| {
+                    // An empty cell is cut too: opening < N.
                     rule.pays = |q, _, parts| q.opening + 0.25 * sum(parts) < q.shapes.len() as f32;
                 })
             },
@@ -557,7 +558,7 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "divides what is left of the limit on copies by eight, for the eight children",
             hint: "The limit is one on copies of each shape, on average: must a child with half of the shapes make an eighth of them?",
-            answer: |q| with_limit(q, |copies, _| copies / 8.0),
+            answer: |q| with_limit(q, |copies, made| copies / made.max(1.0) / 8.0),
         },
     ];
 }
@@ -572,6 +573,7 @@ struct Rule {
     pays: fn(q: &OctreeBuild, n: f32, parts: &[Vec<u32>; 8]) -> bool,
     /// How many names the limit on copies allows to the parts of a cell with n shapes.
     allowed: fn(copies: f32, n: f32) -> f32,
+    /// What a cut leaves of the limit on copies for the parts.
     left: Left,
 }
 
@@ -589,7 +591,8 @@ fn by(q: &OctreeBuild, change: impl FnOnce(&mut Rule)) -> TreeRow {
     };
     let root = Aabb::new(q.min, q.max);
     let all = (0..q.shapes.len() as u32).collect();
-    fill(q, &rule, &mut tree, (0, &root), all, (q.depth, q.copies));
+    let limits = (q.depth.min(Limits::DEEPEST), q.copies);
+    fill(q, &rule, &mut tree, (0, &root), all, limits);
     tree
 }
 

@@ -1,6 +1,6 @@
 //! Trees of boxes by other rules than the surface-area heuristic: what mistaken builders make.
 
-use super::{area, around, center};
+use super::{area, around, center, whole_less_left};
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
@@ -76,10 +76,8 @@ pub(super) const BY_EXTENTS: Cutting = |q, which, _| {
 
 /// The cheapest cut, if the right side had what the left one lacks of the area of the node's box.
 pub(super) const WHOLE_LESS_LEFT: Cutting = |q, which, _| {
-    let whole = area_around(q, which);
     cheapest_by(q, which, 0..3, |left, right| {
-        let of_left = area_around(q, left);
-        of_left * left.len() as f32 + (whole - of_left) * right.len() as f32
+        whole_less_left(&q.boxes, left, right)
     })
 };
 
@@ -246,8 +244,8 @@ fn longest(bounds: &Aabb) -> usize {
     bounds.size().max_position()
 }
 
-/// A cut at the middle of a box along its longest axis: of the boxes, those with a smaller centre are on the left. The middle of the row where
-/// a side would be empty.
+/// A cut at the middle of a box along its longest axis: of the boxes, those with a smaller centre are on the left. The middle of
+/// the row where a side would be empty.
 fn halved(q: &BvhBuild, which: &[u32], bounds: &Aabb) -> Cut {
     let axis = longest(bounds);
     let sorted = sorted(q, which, axis);

@@ -19,9 +19,10 @@ use std::cmp::Ordering;
 /// Of fewer boxes than these a tree may be dearer by chance.
 const FEW: usize = 100;
 
-/// How much more than the reference's the tree of this number of boxes may cost: neither is the best, and the fewer boxes there are,
-/// the more does it matter which cut is taken first. Cuts at one of eight places, or along the longest axis only, cost up to 12 % more
-/// among a hundred boxes and up to 5 % among a thousand; areas without one of three sides 20 to 35 % there, halves by number 50 %.
+/// How much more than the reference's the tree of this number of boxes may cost: neither is the best, and the fewer boxes there
+/// are, the more does it matter which cut is taken first. Cuts at one of eight places, or along the longest axis only, cost up to
+/// 12 % more among a hundred boxes and up to 5 % among a thousand; areas without one of three sides 20 to 35 % there, halves by
+/// number 50 %.
 fn dearer(boxes: usize) -> f32 {
     match boxes {
         0..FEW => 0.25,

@@ -334,8 +334,8 @@ pub(super) fn few(what: &str, golden: u32, got: u32) -> Verdict {
     }
 }
 
-/// No more triangles than those of all leaves that the ray enters: where nothing is hit, no order matters. (A box may be tested once more,
-/// when a waiting node's turn comes.)
+/// No more triangles than those of all leaves that the ray enters: where nothing is hit, no order matters. (A box may be tested
+/// once more, when a waiting node's turn comes.)
 fn tests_without_hit(most: u32, got: u32) -> Verdict {
     if got <= most {
         Ok(())

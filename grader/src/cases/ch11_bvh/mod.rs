@@ -21,6 +21,23 @@ fn area(min: Vec3, max: Vec3) -> f32 {
     2.0 * (size.x * size.y + size.y * size.z + size.z * size.x)
 }
 
+/// The area of a box of this size without the faces across an axis.
+fn without_faces(size: Vec3, axis: usize) -> f32 {
+    let [across, along, upwards] = [0, 1, 2].map(|i| size[(axis + i) % 3]);
+    2.0 * across * (along + upwards)
+}
+
+/// The cost of two sides, if the right one had what the left one lacks of the area of the box around both.
+fn whole_less_left(boxes: &[BoxRow], left: &[u32], right: &[u32]) -> f32 {
+    let area_of = |side: &[u32]| {
+        let Aabb { min, max } = around(boxes, side);
+        area(min, max)
+    };
+    let of_left = area_of(left);
+    let rest = area_of(&[left, right].concat()) - of_left;
+    of_left * left.len() as f32 + rest * right.len() as f32
+}
+
 fn around(boxes: &[BoxRow], which: &[u32]) -> Aabb {
     let corners = which.iter().filter_map(|&i| boxes.get(i as usize));
     Aabb::of(corners.flat_map(|row| [row.min, row.max]))

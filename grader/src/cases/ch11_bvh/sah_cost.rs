@@ -1,6 +1,6 @@
 //! `sah_cost`: random questions, judge and mistakes.
 
-use super::{area, heaps, tree};
+use super::{area, heaps, tree, without_faces};
 use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use raybook::accel::bvh::build::Method;
@@ -174,17 +174,17 @@ impl Graded for SahCost {
         Mistake {
             name: "leaves the faces across x out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| measured(q, without_faces::<0>),
+            answer: |q| measured(q, |n| without_faces(n.max - n.min, 0)),
         },
         Mistake {
             name: "leaves the faces across y out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| measured(q, without_faces::<1>),
+            answer: |q| measured(q, |n| without_faces(n.max - n.min, 1)),
         },
         Mistake {
             name: "leaves the faces across z out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| measured(q, without_faces::<2>),
+            answer: |q| measured(q, |n| without_faces(n.max - n.min, 2)),
         },
         Mistake {
             name: "divides by the sum of all nodes' areas",
@@ -244,13 +244,6 @@ impl Graded for SahCost {
             answer: |q| as_if_full(q, 0) / q.nodes.first().map_or(1.0, node_area),
         },
     ];
-}
-
-/// The area of a node's box without the faces across an axis.
-fn without_faces<const AXIS: usize>(node: &NodeRow) -> f32 {
-    let size = node.max - node.min;
-    let [across, along, upwards] = [0, 1, 2].map(|i| size[(AXIS + i) % 3]);
-    2.0 * across * (along + upwards)
 }
 
 /// The children of a branch.

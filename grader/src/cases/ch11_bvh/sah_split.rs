@@ -1,6 +1,6 @@
 //! `sah_split`: random questions, judge and mistakes.
 
-use super::{area, around, center, crowd, heaps, no_dearer};
+use super::{area, around, center, crowd, heaps, no_dearer, whole_less_left, without_faces};
 use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::Vec3;
@@ -67,15 +67,9 @@ fn cut_with(q: &SahSplit, cut: Cut) -> Vec<u32> {
 }
 
 /// A side's number of boxes times the area of its box without the faces across an axis.
-fn without_faces<const AXIS: usize>(q: &SahSplit, side: &[u32]) -> f32 {
-    let s = around(&q.boxes, side).size();
-    let [of_x, of_y, of_z] = [s.y * s.z, s.z * s.x, s.x * s.y];
-    let area = match AXIS {
-        0 => of_y + of_z,
-        1 => of_x + of_z,
-        _ => of_x + of_y,
-    };
-    area * side.len() as f32
+fn fewer_faces<const AXIS: usize>(q: &SahSplit, side: &[u32]) -> f32 {
+    let (bounds, count) = whole(q, side);
+    without_faces(bounds.size(), AXIS) * count
 }
 
 /// The box of a side, and how many are in it.
@@ -285,7 +279,11 @@ impl Graded for SahSplit {
             hint: "Is the best cut always across the longest side?",
             answer: |q| {
                 cut_with(q, |q, side, axis, sides| {
-                    sum(q, side, 0, sides) + if axis == longest(q) { 0.0 } else { 1e9 }
+                    if axis == longest(q) {
+                        sum(q, side, 0, sides)
+                    } else {
+                        f32::INFINITY
+                    }
                 })
             },
         },
@@ -294,7 +292,11 @@ impl Graded for SahSplit {
             hint: "Stack the boxes along y: where do you cut?",
             answer: |q| {
                 cut_with(q, |q, side, axis, sides| {
-                    sum(q, side, 0, sides) + 1e9 * axis as f32
+                    if axis == 0 {
+                        sum(q, side, 0, sides)
+                    } else {
+                        f32::INFINITY
+                    }
                 })
             },
         },
@@ -377,24 +379,28 @@ impl Graded for SahSplit {
         Mistake {
             name: "leaves the faces across x out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| least(q, without_faces::<0>),
+            answer: |q| least(q, fewer_faces::<0>),
         },
         Mistake {
             name: "leaves the faces across y out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| least(q, without_faces::<1>),
+            answer: |q| least(q, fewer_faces::<1>),
         },
         Mistake {
             name: "leaves the faces across z out of the area",
             hint: "A box has six faces: which of them are in your sum?",
-            answer: |q| least(q, without_faces::<2>),
+            answer: |q| least(q, fewer_faces::<2>),
         },
         Mistake {
             name: "keeps the best cut of the last axis, and forgets those of the others",
             hint: "Where does the least cost so far begin at infinity: before the loop over the axes, or in it?",
             answer: |q| {
                 cut_with(q, |q, side, axis, sides| {
-                    sum(q, side, 0, sides) + if axis == 2 { 0.0 } else { 1e9 }
+                    if axis == 2 {
+                        sum(q, side, 0, sides)
+                    } else {
+                        f32::INFINITY
+                    }
                 })
             },
         },
@@ -448,13 +454,8 @@ impl Graded for SahSplit {
             name: "takes the whole area less the left side's for that of the right side",
             hint: "Two boxes around the two halves of a cube: do their areas come to that of the cube?",
             answer: |q| {
-                cut_with(q, |q, side, _, [left, right]| {
-                    let of = |side: &[u32]| {
-                        let bounds = around(&q.boxes, side);
-                        area(bounds.min, bounds.max)
-                    };
-                    let rest = of(&[&left[..], right].concat()) - of(left);
-                    side(q, left) + rest * right.len() as f32
+                cut_with(q, |q, _, _, [left, right]| {
+                    whole_less_left(&q.boxes, left, right)
                 })
             },
         },
@@ -554,7 +555,11 @@ impl Graded for SahSplit {
                 cut_with(q, |q, side, axis, sides| {
                     let centers = Aabb::of(q.boxes.iter().map(center));
                     let is_longest = axis == centers.size().max_position();
-                    sum(q, side, 0, sides) + if is_longest { 0.0 } else { 1e9 }
+                    if is_longest {
+                        sum(q, side, 0, sides)
+                    } else {
+                        f32::INFINITY
+                    }
                 })
             },
         },

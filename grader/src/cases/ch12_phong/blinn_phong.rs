@@ -239,7 +239,7 @@ impl Graded for BlinnPhongExercise {
         },
         Mistake {
             name: "raises the exponent to the power of the cosine",
-            hint: "Which of the two stands below the other: the cosine N·H, or α?",
+            hint: "Which of the two is the base of the power: the cosine N·H, or α?",
             answer: |q| {
                 let cosine = half(&q.at).dot(*q.at.normal).max(0.0);
                 with_highlight(&q.at, q.at.exponent.powf(cosine))

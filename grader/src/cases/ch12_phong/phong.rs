@@ -194,7 +194,7 @@ impl Graded for PhongExercise {
         },
         Mistake {
             name: "raises the exponent to the power of the cosine",
-            hint: "Which of the two stands below the other: the cosine R·V, or α?",
+            hint: "Which of the two is the base of the power: the cosine R·V, or α?",
             answer: |q| {
                 let cosine = mirrored(&q.at).dot(*q.at.view).max(0.0);
                 with_highlight(&q.at, q.at.exponent.powf(cosine))

@@ -126,12 +126,12 @@ impl Graded for Reflect {
         Mistake {
             name: "multiplies i and n axis by axis instead of taking their dot product, and normalises what comes of it",
             hint: "i·n is one number: what is still to be done with the three products?",
-            // At 45° rounding decides the sign of 1 − 2 n.x²: so much less, it is that of double precision.
+            // At 45° rounding decides the sign of 1 − 2 n.x²; less EPSILON, the sign is that of a program in double precision.
             answer: |q| (axis_by_axis(q) - f32::EPSILON * *q.incoming).normalize_or_zero(),
         },
         Mistake {
             name: "adds i and the normal, and normalises",
-            hint: "Half way between the two is a direction: is it on the other side of the normal?",
+            hint: "A ray leaves a mirror at the angle at which it comes: does yours?",
             answer: |q| (*q.incoming + facing(q)).normalize_or(facing(q)),
         },
         Mistake {

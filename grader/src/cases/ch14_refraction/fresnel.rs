@@ -342,7 +342,7 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
-            name: "returns Schlick's approximation for R from θ₁ out of the denser medium too, beside the exact Rs and Rp",
+            name: "returns Schlick's approximation for R, with θ₁ even where n₁ > n₂, beside the exact Rs and Rp",
             hint: "R is the mean of Rs and Rp: why approximate what you have?",
             answer: |q| {
                 let FresnelAnswer { rs, rp, r } = Fresnel::right(q);
@@ -351,7 +351,7 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
-            name: "returns Schlick's approximation for Rs, Rp and R, from θ₁ out of the denser medium too",
+            name: "returns Schlick's approximation for Rs, Rp and R, with θ₁ even where n₁ > n₂",
             hint: "One of Rs and Rp is zero at Brewster's angle: which of yours is?",
             answer: |q| {
                 let r = cos2(q).map_or(1.0, |_| schlick_of_cos1(q));

@@ -209,6 +209,26 @@ impl Graded for Refract {
                 Some((along - (1.0 - along.length()) * n).normalize_or_zero())
             },
         },
+        Mistake {
+            name: "takes the cosine before it turns the normal",
+            hint: "A ray leaves the glass: which sign has your cosine, and which has it after the normal is turned?",
+            answer: |q| snell(q, facing(q), -q.direction.dot(*q.normal), ratio(q)),
+        },
+        Mistake {
+            name: "asks for total reflection only where the ray leaves",
+            hint: "Glass surrounds a bubble, and outside is the denser: may a ray on its way in be totally reflected?",
+            answer: |q| {
+                let n = facing(q);
+                let (cos1, eta) = (-q.direction.dot(n), ratio(q));
+                let enters = q.direction.dot(*q.normal) < 0.0;
+                let is_total = eta * eta * (1.0 - cos1 * cos1) > 1.0;
+                if enters && is_total {
+                    Some(eta * *q.direction + eta * cos1 * n)
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
     ];
 }
 

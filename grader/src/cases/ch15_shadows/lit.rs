@@ -277,8 +277,8 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "leaves out a sphere in which the light is, such as by asking only for the farther of two hits",
-            hint: "A lamp may stand in a lampshade: does the way to it go through the shade?",
+            name: "leaves out a sphere in which the light is",
+            hint: "A lamp may stand in a lampshade: does the way to it go through the shade? Do you ask only for the farther of two hits?",
             answer: |q| {
                 Self::misread(q, |q| {
                     let light = q.position + q.distance * *q.toward;

@@ -350,11 +350,6 @@ impl Graded for ShadowRay {
             answer: |q| starting(q, q.position + q.error * Vec3::Y, 0.0),
         },
         Mistake {
-            name: "steps up by twice the error along +y, wherever the surface is",
-            hint: "A wall is left sideways: which vector in the question tells to which side?",
-            answer: |q| starting(q, q.position + 2.0 * q.error * Vec3::Y, 0.0),
-        },
-        Mistake {
             name: "adds the error to each coordinate",
             hint: "In which direction do you step, and on which side of the surface is the light?",
             answer: |q| starting(q, q.position + Vec3::splat(q.error), 0.0),

@@ -180,7 +180,7 @@ impl Graded for SampleRect {
         Mistake {
             name: "takes the corners of the lattice's cells for their middles",
             hint: "The first pair is (½/n, ½/n): what is yours?",
-            answer: |q| chosen_rect(q, |u| u - 0.5 / N as f32),
+            answer: |q| chosen_rect(q, |u| u - 0.5 / q.n as f32),
         },
         Mistake {
             name: "squares one of the two uniform numbers",
@@ -220,7 +220,10 @@ impl Graded for SampleRect {
         Mistake {
             name: "spreads the lattice from border to border of the light",
             hint: "The first pair is (½/n, ½/n): what is yours?",
-            answer: |q| chosen_rect(q, |u| 0.5 + (u - 0.5) * N as f32 / (N - 1) as f32),
+            answer: |q| {
+                let wider = q.n as f32 / q.n.saturating_sub(1).max(1) as f32;
+                chosen_rect(q, |u| 0.5 + (u - 0.5) * wider)
+            },
         },
         Mistake {
             name: "multiplies the density by the number of samples",
@@ -269,7 +272,7 @@ fn spoil_rect(q: &SampleRect, pdf: impl Fn(f32, &Chosen) -> f32) -> Option<Vec<C
 }
 
 /// Other points of the light, with the right density of uniform ones.
-fn chosen_rect(q: &SampleRect, place: fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
+fn chosen_rect(q: &SampleRect, place: impl Fn(Vec2) -> Vec2) -> Option<Vec<Chosen>> {
     SampleRect::right(q)?;
     let chosen = |u: Vec2| {
         let p = place(u);

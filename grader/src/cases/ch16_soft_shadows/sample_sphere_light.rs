@@ -3,6 +3,7 @@
 use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
 use super::cone::{around, cap, cone, on_cap, on_disc};
 use super::flaws;
+use super::{crossed, unless_near};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
 use rand::RngExt;
@@ -432,7 +433,7 @@ impl Graded for SampleSphereLight {
             },
         },
         Mistake {
-            name: "takes the way to where the cone touches the light for the distance of the centre: r/√(d² − r²) for the sine",
+            name: "takes tan α = r/√(d² − r²) for the sine of the cone's angle α",
             hint: "Draw the cone and the radius to where it touches the sphere: across from the right angle, which side is it?",
             answer: |q| {
                 let squared = (q.radius / q.at.distance(q.center)).powi(2);
@@ -502,12 +503,12 @@ impl Graded for SampleSphereLight {
             answer: |q| dense(q, |height| 1.0 / (TAU * height.max(1e-9))),
         },
         Mistake {
-            name: "takes cross products with +y for the axes beside the cone's without bringing them to length 1",
+            name: "does not normalise the axes beside the cone's, made by cross products with +y",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
             answer: |q| squeezed(q, Vec3::Y),
         },
         Mistake {
-            name: "takes cross products with +z for the axes beside the cone's without bringing them to length 1",
+            name: "does not normalise the axes beside the cone's, made by cross products with +z",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
             answer: |q| squeezed(q, Vec3::Z),
         },
@@ -551,13 +552,7 @@ fn dense(q: &SampleSphereLight, pdf: impl Fn(f32) -> f32) -> Vec<Chosen> {
 /// Directions around axes beside the cone's that are cross products, and not of length 1.
 fn squeezed(q: &SampleSphereLight, up: Vec3) -> Vec<Chosen> {
     let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
-    let up = if axis.dot(up).abs() < 0.9 {
-        up
-    } else {
-        Vec3::X
-    };
-    let x = up.cross(*axis);
-    let y = axis.cross(x);
+    let [x, y] = crossed(axis, unless_near(axis, up, Vec3::X));
     let basis = Basis::around(axis);
     let mut all = SampleSphereLight::right(q);
     for chosen in &mut all {

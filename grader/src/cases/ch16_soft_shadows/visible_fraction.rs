@@ -500,11 +500,6 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "subtracts the share that each ball alone would hide",
             hint: "Where two shadows overlap, how often do you count what is hidden there?",
-            answer: |q| past_each(q, |free, alone| less_each(free, alone).max(0.0)),
-        },
-        Mistake {
-            name: "subtracts the share that each ball alone would hide, even if less than nothing is left",
-            hint: "Where two shadows overlap, how often do you count what is hidden there?",
             answer: |q| past_each(q, less_each),
         },
         Mistake {
@@ -532,7 +527,7 @@ impl Graded for VisibleFraction {
             },
         },
         Mistake {
-            name: "chooses places on one half of the light only, a triangle",
+            name: "samples one half of the light only, a triangle",
             hint: "The light has four corners: into which of them do your places come?",
             answer: |q| {
                 seen(

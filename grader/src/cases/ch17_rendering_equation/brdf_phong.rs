@@ -244,5 +244,17 @@ impl Graded for BrdfPhong {
             hint: "Is the matte part sharper where n is larger?",
             answer: |q| phong(q, cos_alpha(q), norm(q), norm(q)),
         },
+        Mistake {
+            name: "returns 0 only if light and viewer are both below the surface (and for or)",
+            hint: "One of the two is below the surface: what does your condition say?",
+            answer: |q| {
+                let is_below = |d: &Dir3| q.normal.dot(**d) <= 0.0;
+                if is_below(&q.toward) && is_below(&q.view) {
+                    return Rgb::BLACK;
+                }
+                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
+            },
+        },
     ];
 }

@@ -1,6 +1,7 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
 use super::at_height;
+use crate::cases::ch16_soft_shadows::{crossed, unless_near};
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
 use crate::upon::changed;
@@ -48,17 +49,8 @@ fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
 
 /// The lattice's images by axes that are cross products with another vector, and not of length 1.
 fn squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    let x = up.cross(*q.normal);
-    beside(q, x, q.normal.cross(x))
-}
-
-/// An axis, or another where the normal is nearly along it.
-fn unless_near(q: &CosineHemisphere, axis: Vec3, other: Vec3) -> Vec3 {
-    if q.normal.dot(axis).abs() < 0.9 {
-        axis
-    } else {
-        other
-    }
+    let [x, y] = crossed(q.normal, up);
+    beside(q, x, y)
 }
 
 /// Number of directions of a further question: enough that a gap among them is none by chance.
@@ -373,22 +365,22 @@ impl Graded for CosineHemisphere {
             answer: |q| beside(q, Vec3::X, Vec3::Y),
         },
         Mistake {
-            name: "takes cross products for the axes beside the normal without bringing them to length 1",
+            name: "does not normalise the axes beside the normal, made by cross products with +y",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q, Vec3::Y, Vec3::X)),
+            answer: |q| squeezed(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
         },
         Mistake {
-            name: "takes cross products with +z for the axes beside the normal without bringing them to length 1",
+            name: "does not normalise the axes beside the normal, made by cross products with +z",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q, Vec3::Z, Vec3::X)),
+            answer: |q| squeezed(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
         },
         Mistake {
-            name: "takes cross products with +x for the axes beside the normal without bringing them to length 1",
+            name: "does not normalise the axes beside the normal, made by cross products with +x",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q, Vec3::X, Vec3::Y)),
+            answer: |q| squeezed(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
         },
         Mistake {
-            name: "takes cross products with +y, even where the normal is nearly along it, for the axes beside the normal without bringing them to length 1",
+            name: "does not normalise the axes beside the normal, made by cross products with +y, even close to it",
             hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
             answer: |q| {
                 let is_along = q.normal.y.abs() > 0.99;
@@ -396,7 +388,7 @@ impl Graded for CosineHemisphere {
             },
         },
         Mistake {
-            name: "takes cross products with +z, even where the normal is nearly along it, for the axes beside the normal without bringing them to length 1",
+            name: "does not normalise the axes beside the normal, made by cross products with +z, even close to it",
             hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
             answer: |q| {
                 let is_along = q.normal.z.abs() > 0.99;
@@ -407,7 +399,7 @@ impl Graded for CosineHemisphere {
             name: "takes +z itself for one of the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
             answer: |q| {
-                let up = unless_near(q, Vec3::Z, Vec3::X);
+                let up = unless_near(q.normal, Vec3::Z, Vec3::X);
                 beside(q, up.cross(*q.normal).normalize_or_zero(), up)
             },
         },
@@ -415,7 +407,7 @@ impl Graded for CosineHemisphere {
             name: "takes +y itself for one of the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
             answer: |q| {
-                let up = unless_near(q, Vec3::Y, Vec3::X);
+                let up = unless_near(q.normal, Vec3::Y, Vec3::X);
                 beside(q, up.cross(*q.normal).normalize_or_zero(), up)
             },
         },
@@ -430,7 +422,7 @@ impl Graded for CosineHemisphere {
             answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y) + Vec3::Z),
         },
         Mistake {
-            name: "takes a uniform number itself for the radius on the disc, but the root of what it leaves to 1 for the height, and normalises",
+            name: "takes u for the radius on the disc and √(1 − u) for the height, and normalises",
             hint: "r² and the height's square add up to 1: do they in yours?",
             answer: |q| {
                 around(q, |u| {

@@ -116,7 +116,8 @@ fn brdf_by(q: &ReflectedRadiance, d: Dir3, matte: f32, gloss: f32) -> Rgb {
     brdf.value(q.normal, q.view, d)
 }
 
-/// What the highlight's directions below the surface bring with a weight, if their cosine counts as positive and the BRDF goes on there.
+/// What the highlight's directions below the surface bring with a weight, if their cosine counts as positive and the BRDF goes on
+/// there.
 fn from_below(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
     let n = q.exponent;
     let [sum] = integral(-q.normal, |d| {

@@ -154,7 +154,7 @@ impl Graded for DirectionToLatlong {
         },
         Mistake {
             name: "takes the arc cosine of −z itself for the angle around",
-            hint: "Halfway up the sky, ahead: how long is what is left of the direction without its height?",
+            hint: "Half way up the sky, ahead: how long is what is left of the direction without its height?",
             answer: |q| {
                 let d = q.direction;
                 let phi = (-d.z).clamp(-1.0, 1.0).acos().copysign(d.x);

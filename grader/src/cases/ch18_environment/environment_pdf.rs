@@ -381,17 +381,17 @@ impl Graded for EnvironmentPdf {
             answer: |q| neighbour(q, 0, -1),
         },
         Mistake {
-            name: "looks half a turn away on the map",
+            name: "is half a turn off",
             hint: "Which direction is in the middle of the map, and to which side of it is +x?",
             answer: |q| quarters(q, 2),
         },
         Mistake {
-            name: "looks a quarter turn away on the map, to the right",
+            name: "is a quarter turn off, to the right",
             hint: "Which direction is in the middle of the map, and to which side of it is +x?",
             answer: |q| quarters(q, 1),
         },
         Mistake {
-            name: "looks a quarter turn away on the map, to the left",
+            name: "is a quarter turn off, to the left",
             hint: "Which direction is in the middle of the map, and to which side of it is +x?",
             answer: |q| quarters(q, 3),
         },
@@ -464,6 +464,17 @@ impl Graded for EnvironmentPdf {
                 } else {
                     0.0
                 }
+            },
+        },
+        Mistake {
+            name: "rounds the place times one column and one row less than there are",
+            hint: "The first of three columns is a third of the map: how much of it is it in yours?",
+            answer: |q| {
+                let place = latlong::place(q.direction);
+                let fewer = vec2(q.width as f32, q.height as f32) - 1.0;
+                let [x, y] = (place * fewer).round().to_array();
+                let (right, down) = q.texel();
+                neighbour(q, x as i32 - right as i32, y as i32 - down as i32)
             },
         },
     ];

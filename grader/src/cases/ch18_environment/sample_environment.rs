@@ -87,14 +87,15 @@ fn edges(q: &SampleEnvironment, row: usize) -> [f64; 2] {
     [row, row + 1].map(|row| latlong::cosine(row, q.height as usize))
 }
 
+/// The direction to a place in a texel.
 fn direction(q: &SampleEnvironment, ([x, y], [right, down]): Place) -> Vec3 {
     let [top, bottom] = edges(q, y);
     let cosine = by_solid_angle(top, bottom, f64::from(down));
     *latlong::toward((x as f32 + right) / q.width as f32, cosine)
 }
 
-/// The directions of a sampler that has all texels in one list. `place` is made of the number of the texel that u.x chooses, of the share of it that
-/// is left, and of u.
+/// The directions of a sampler that has all texels in one list. `place` is made of the number of the texel that u.x chooses, of the
+/// share of it that is left, and of u.
 fn in_one_list(
     q: &SampleEnvironment,
     place: fn(&SampleEnvironment, usize, f32, Vec2) -> Place,

@@ -103,7 +103,7 @@ impl Graded for CircleOfConfusion {
         },
         Mistake {
             name: "takes the focal length for the film's distance in the magnification",
-            hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
+            hint: "Where is the film when the focus is near?",
             answer: |q| Self::right(q) / q.magnification() * (q.focal_length / q.focus),
         },
         Mistake {
@@ -171,19 +171,8 @@ impl Graded for CircleOfConfusion {
             },
         },
         Mistake {
-            name: "returns 0 for a point that is nearer than the focal length",
-            hint: "The rays of such a point meet nowhere behind the lens: does the film remain dark?",
-            answer: |q| {
-                if q.distance <= q.focal_length {
-                    0.0
-                } else {
-                    Self::right(q)
-                }
-            },
-        },
-        Mistake {
             name: "takes f·s/(s + f) for the distance of the film",
-            hint: "1/f = 1/s + 1/film: solve for the film's distance. Is your film farther from the lens than the focal length, or nearer?",
+            hint: "Is your film farther from the lens than the focal length, or nearer?",
             answer: |q| {
                 let film = q.focal_length * q.focus / (q.focus + q.focal_length);
                 let sharp = 1.0 / q.focal_length - 1.0 / q.distance;

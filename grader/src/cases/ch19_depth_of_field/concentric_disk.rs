@@ -429,7 +429,7 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
-            name: "clamps both coordinates to the square after the shift, and goes by radius and angle",
+            name: "clamps both coordinates to the square after the shift (by radius and angle)",
             hint: "Many of your points are at the rim of the disc: on which side does a point come in that leaves the square on the right?",
             answer: |q| {
                 in_disc(q, |how| {
@@ -439,7 +439,7 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
-            name: "does not bring back into the square what the shift moves out of it, and goes by radius and angle",
+            name: "does not bring back into the square what the shift moves out of it (by radius and angle)",
             hint: "The points are fractional parts: what becomes of a coordinate above 1, and of your radius?",
             answer: |q| {
                 in_disc(q, |how| {

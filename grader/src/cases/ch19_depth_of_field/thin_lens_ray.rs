@@ -154,7 +154,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "leaves the film at the focal length",
-            hint: "Where is the film when the focus is near? 1/film + 1/s = 1/f.",
+            hint: "Where is the film when the focus is near?",
             answer: |q| Self::misread(q, |q| q.plane *= q.lens().film_distance() / q.focal_length),
         },
         Mistake {
@@ -193,7 +193,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "takes f·s/(s + f) for the distance of the film",
-            hint: "1/f = 1/s + 1/film: solve for the film's distance. Is your film farther from the lens than the focal length, or nearer?",
+            hint: "Is your film farther from the lens than the focal length, or nearer?",
             answer: |q| {
                 Self::misread(q, |q| {
                     q.plane *= (q.focus + q.focal_length) / (q.focus - q.focal_length);
@@ -230,7 +230,7 @@ impl Graded for ThinLensRay {
         },
         Mistake {
             name: "puts the film one metre before the lens",
-            hint: "Where is the film, so that the plane in focus is sharp? 1/film + 1/s = 1/f.",
+            hint: "Where is the film, so that the plane in focus is sharp?",
             answer: |q| Self::misread(q, |q| q.plane *= q.lens().film_distance()),
         },
         Mistake {
@@ -247,7 +247,7 @@ impl Graded for ThinLensRay {
             hint: "Does the opening of the lens change when you focus?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.on_lens *= q.lens().film_distance() / q.focal_length
+                    q.on_lens *= q.lens().film_distance() / q.focal_length;
                 })
             },
         },

@@ -140,7 +140,7 @@ impl Graded for DeflectionAngle {
             answer: |q| outside(q, 2.0),
         },
         Mistake {
-            name: "lets rays fall in that come nearer to the middle than 3, as stones do that circle the hole",
+            name: "lets rays fall in that come nearer to the middle than 3, the radius of the innermost stable circular orbit",
             hint: "From how near to the middle can a ray still come back: where is the photon sphere?",
             answer: |q| outside(q, 3.0),
         },
@@ -165,11 +165,6 @@ impl Graded for DeflectionAngle {
             name: "takes 4/b, as if 1 were the hole's mass",
             hint: "Here the radius is 1, and the mass is half of it: how large is 4 M/b?",
             answer: |q| escapes(q).map(|b| 4.0 / b),
-        },
-        Mistake {
-            name: "lets rays fall in up to b = 2.6",
-            hint: "Which number is the smallest impact parameter of a ray that comes back: 2.6 itself?",
-            answer: |q| Self::right(q).filter(|_| q.impact_parameter > 2.6),
         },
         Mistake {
             name: "takes twice the angle of a stone",

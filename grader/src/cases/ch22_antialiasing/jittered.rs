@@ -86,19 +86,19 @@ fn places(q: &Jittered, points: &[Vec2]) -> Vec<Vec2> {
 
 /// In which order cells are counted.
 #[derive(Clone, Copy)]
-enum Order {
+enum CellOrder {
     AlongRows,
     DownColumns,
 }
 
 /// The points in the order of their cells.
-fn by_cells(q: &Jittered, points: &[Vec2], order: Order) -> Vec<Vec2> {
+fn by_cells(q: &Jittered, points: &[Vec2], order: CellOrder) -> Vec<Vec2> {
     let count = vec2(q.columns as f32, q.rows as f32);
     let cell = |p: &Vec2| {
         let [i, j] = (count * *p).floor().to_array().map(|v| v as u32);
         match order {
-            Order::AlongRows => (j, i),
-            Order::DownColumns => (i, j),
+            CellOrder::AlongRows => (j, i),
+            CellOrder::DownColumns => (i, j),
         }
     };
     let mut points = points.to_vec();
@@ -106,8 +106,8 @@ fn by_cells(q: &Jittered, points: &[Vec2], order: Order) -> Vec<Vec2> {
     points
 }
 
-/// How unevenly the points are shared among the columns of cells, and among the rows: 0 if all have as many, about 1 by chance, and never
-/// more than 4.
+/// How unevenly the points are shared among the columns of cells, and among the rows: 0 if all have as many, about 1 by chance,
+/// and never more than 4.
 fn unevenness(q: &Jittered, points: &[Vec2]) -> [f64; 2] {
     [0, 1].map(|axis| {
         let groups = [q.columns, q.rows][axis].max(1);
@@ -126,6 +126,11 @@ fn unevenness(q: &Jittered, points: &[Vec2]) -> [f64; 2] {
 const LEFT_TO_RIGHT: &str = "the place from left to right in a cell";
 const TOP_TO_BOTTOM: &str = "the place from top to bottom in a cell";
 const BOTH: &str = "the places along x and y in a cell";
+const IN_ONE_CELL: [&str; 3] = [
+    "the place from left to right in one cell",
+    "the place from top to bottom in one cell",
+    "one of both places in one cell",
+];
 
 /// Whether places in cells are anywhere in them, as often as elsewhere.
 fn scattered(places: &[Vec2]) -> Verdict {
@@ -157,15 +162,20 @@ impl Graded for Jittered {
     fn together(answers: &[(Jittered, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         let same = |a: &Jittered, b: &Jittered| (a.columns, a.rows) == (b.columns, b.rows);
         together::seeded(answers, same, |q| q.seed)?;
-        let names = [LEFT_TO_RIGHT, TOP_TO_BOTTOM, "one of both places in a cell"];
-        // Points that are sorted depend on each other in their order, which does not count; in that of the cells they must not.
-        for order in [Order::AlongRows, Order::DownColumns] {
+        let in_order = |order: CellOrder| {
             let sorted = |(q, got): &(Jittered, Vec<Vec2>)| places(q, &by_cells(q, got, order));
-            let lists: Vec<_> = answers.iter().map(sorted).collect();
-            let lists: Vec<_> = lists.iter().collect();
-            points::together(&lists, names, BOTH, bounds)?;
-        }
-        Ok(())
+            answers.iter().map(sorted).collect::<Vec<_>>()
+        };
+        let along_rows = in_order(CellOrder::AlongRows);
+        let along_rows: Vec<_> = along_rows.iter().collect();
+        points::together(&along_rows, [LEFT_TO_RIGHT, TOP_TO_BOTTOM], BOTH, bounds)?;
+        // Points that are sorted depend on each other in their order, which does not count; in that of the cells they must not.
+        points::serial(&along_rows, IN_ONE_CELL, "the next cell in its row", bounds)?;
+        // Three questions more, and a right program fails each by chance with 4e-10: 1e-9 in all.
+        let down_columns = in_order(CellOrder::DownColumns);
+        let down_columns: Vec<_> = down_columns.iter().collect();
+        let next = "the next cell in its column";
+        points::serial(&down_columns, IN_ONE_CELL, next, bounds)
     }
 
     /// Within the visible cases' limit of columns and rows; they are the same, so that seeds can be compared.
@@ -215,7 +225,11 @@ impl Graded for Jittered {
             hint: "Does the place in one cell depend on that in another, or on the cell's number?",
         },
         points::SEED,
-        points::SERIAL,
+        Flaw {
+            name: "chooses a place in one cell that depends on the place in the next cell",
+            hint: "Is the place in a cell chosen by random numbers of its own, or by those of another cell?",
+            ..points::SERIAL
+        },
     ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
@@ -364,7 +378,7 @@ impl Graded for Jittered {
             answer: |q| cells(q, |cell, count, u| (cell + u) / count.x),
         },
         Mistake {
-            name: "moves points by up to a whole cell from their cell's middle",
+            name: "moves points by up to a whole cell from their cell's middle, and clamps them to the square",
             hint: "How far is it from a cell's middle to its edge?",
             answer: |q| {
                 cells(q, |cell, count, u| {
@@ -403,6 +417,19 @@ impl Graded for Jittered {
             name: "keeps to the cells along y only, and puts x anywhere",
             hint: "How many of your points are in each column of cells?",
             answer: |q| cells(q, |cell, count, u| vec2(u.x, (cell.y + u.y) / count.y)),
+        },
+        Mistake {
+            name: "draws one number for all cells of a column, and one for all of a row",
+            hint: "Do the points of a column of cells all have the same x?",
+            answer: |q| {
+                let rng = &mut pcg::stream(22, q.seed.into());
+                let mut numbers = |n: u32| (0..n).map(|_| rng.random()).collect::<Vec<f32>>();
+                let (of_columns, of_rows) = (numbers(q.columns), numbers(q.rows));
+                cells(q, |cell, count, _| {
+                    let u = vec2(of_columns[cell.x as usize], of_rows[cell.y as usize]);
+                    (cell + u) / count
+                })
+            },
         },
     ];
 }

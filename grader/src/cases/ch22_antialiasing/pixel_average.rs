@@ -50,12 +50,6 @@ fn divided(q: &PixelAverage, divisor: fn(&PixelAverage, f32) -> f32) -> Rgb {
     changed_average(q, |how| how.divisor = divisor)
 }
 
-/// The sum over all samples of one factor of their weights, that along x or along y.
-fn factors(q: &PixelAverage, along: fn(Vec2) -> f32) -> f32 {
-    let factor = |s: &Seen| (1.0 - along(s.offset).abs() / q.radius).max(0.0);
-    q.samples.iter().map(factor).sum()
-}
-
 /// A cone's weight.
 fn cone(q: &PixelAverage, offset: Vec2) -> f32 {
     (1.0 - offset.length() / q.radius).max(0.0)
@@ -335,11 +329,6 @@ impl Graded for PixelAverage {
             answer: |q| divided(q, |q, _| q.radius * q.radius),
         },
         Mistake {
-            name: "divides by the sum of the factors along x times that along y",
-            hint: "Two samples of weight 1: by what do you divide?",
-            answer: |q| divided(q, |q, _| factors(q, |o| o.x) * factors(q, |o| o.y)),
-        },
-        Mistake {
             name: "takes the radius for the filter's whole width",
             hint: "Where is the tent's foot: one radius from the centre, or half of it?",
             answer: |q| Self::misread(q, |q| q.radius *= 0.5),
@@ -363,7 +352,7 @@ impl Graded for PixelAverage {
             },
         },
         Mistake {
-            name: "cuts radiance off at 1 before it takes the average",
+            name: "clamps radiance to 1 before it takes the average",
             hint: "Radiance has no upper limit: what does a lamp add to its pixel?",
             answer: |q| {
                 Self::misread(q, |q| {

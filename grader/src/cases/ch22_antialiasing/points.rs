@@ -67,26 +67,38 @@ pub const SERIAL: Flaw = Flaw {
     hint: "Is a point chosen by random numbers of its own, or by those of another point?",
 };
 
-/// What is asked of pairs of independent uniform numbers of all answers together: `names` are those of the first, of the second and of
-/// either, `both` that of both.
+/// What is asked of pairs of independent uniform numbers of all answers together, in whatever order: `names` are those of the first
+/// and of the second, `both` that of both.
 ///
 /// # Errors
 /// If chance does not explain them.
-pub fn together(lists: &[&Vec<Vec2>], names: [&str; 3], both: &str, bounds: Bounds) -> Verdict {
+pub fn together(lists: &[&Vec<Vec2>], names: [&str; 2], both: &str, bounds: Bounds) -> Verdict {
     let all = || lists.iter().copied().flatten();
-    for (axis, name) in names.into_iter().take(2).enumerate() {
+    for (axis, name) in names.into_iter().enumerate() {
         uniform(name, all().map(|p| p[axis]), bounds)?;
     }
     independent(both, all().copied(), bounds)?;
-    for (axis, name) in names.into_iter().take(2).enumerate() {
+    for (axis, name) in names.into_iter().enumerate() {
         let along = |list: &&Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
         together::fills(name, all().map(|p| p[axis].into()), bounds)?;
         together::balanced(name, lists.iter().map(along), bounds)?;
-        together::serial(name, lists.iter().map(along), bounds)?;
+    }
+    Ok(())
+}
+
+/// Whether each pair is independent of the next: `names` are those of the first number, of the second and of either, and `next`
+/// says what comes next.
+///
+/// # Errors
+/// If chance does not explain how they hang together.
+pub fn serial(lists: &[&Vec<Vec2>], names: [&str; 3], next: &str, bounds: Bounds) -> Verdict {
+    for (axis, name) in names.into_iter().take(2).enumerate() {
+        let along = |list: &&Vec<Vec2>| list.iter().map(|p| p[axis].into()).collect();
+        together::serial(name, next, lists.iter().map(along), bounds)?;
     }
     let each = |p: &Vec2| p.to_array().map(f64::from);
     let each = |list: &&Vec<Vec2>| list.iter().flat_map(each).collect();
-    together::serial(names[2], lists.iter().map(each), bounds)
+    together::serial(names[2], next, lists.iter().map(each), bounds)
 }
 
 /// `expected` points, each in [0, 1)².

@@ -295,6 +295,20 @@ impl Graded for PoissonDisk {
                 random_pattern::random_pattern(n, &mut pcg::stream(22, q.seed.into()))
             },
         },
+        Mistake {
+            name: "remembers one point for each cell, where cells are so wide that two fit in",
+            hint: "A cell of which two corners are farther apart than the distance may hold two points: which of them do you still compare with?",
+            answer: |q| {
+                let cell = |p: Vec2| (p / q.distance).floor();
+                darts(q, |p, points| {
+                    let is_forgotten =
+                        |i: usize| points[i + 1..].iter().any(|o| cell(*o) == cell(points[i]));
+                    let mut near =
+                        (0..points.len()).filter(|i| p.distance(points[*i]) < q.distance);
+                    near.all(is_forgotten)
+                })
+            },
+        },
     ];
 }
 
@@ -307,8 +321,8 @@ fn nearest(points: &[Vec2]) -> f32 {
     pairs.fold(f32::INFINITY, f32::min)
 }
 
-/// The share of the square that is farther than d from all points, also from those of the same squares around it: methods that are right
-/// leave more room at the border, and it is not counted.
+/// The share of the square that is farther than d from all points, also from those of the same squares around it: methods that are
+/// right leave more room at the border, and it is not counted.
 fn room(points: &[Vec2], d: f32) -> f32 {
     let side = PROBES as i32;
     let mut free = vec![true; (side * side) as usize];
@@ -348,8 +362,8 @@ fn close_pairs(answers: &[&(PoissonDisk, Vec<Vec2>)]) -> (usize, usize) {
     (close, within)
 }
 
-/// How many pairs of points would be nearer to each other than the distance if the square were repeated along x, and how many along y;
-/// and about how many each is by chance: (2/3) n² d³, where n d² is about 0.7.
+/// How many pairs of points would be nearer to each other than the distance if the square were repeated along x, and how many along
+/// y; and about how many each is by chance: (2/3) n² d³, where n d² is about 0.7.
 fn pairs_over_edges(answers: &[&(PoissonDisk, Vec<Vec2>)]) -> (UVec2, f32) {
     let (mut over, mut expected) = (UVec2::ZERO, 0.0);
     for (q, got) in answers {

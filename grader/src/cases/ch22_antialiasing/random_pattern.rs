@@ -61,8 +61,13 @@ impl Graded for RandomPattern {
     fn together(answers: &[(RandomPattern, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         together::seeded(answers, |_, _| true, |q| q.seed)?;
         let lists: Vec<_> = answers.iter().map(|(_, points)| points).collect();
-        let names = ["x", "y", "a coordinate"];
-        points::together(&lists, names, "x and y", bounds)
+        points::together(&lists, ["x", "y"], "x and y", bounds)?;
+        let names = [
+            "x of one point",
+            "y of one point",
+            "a coordinate of one point",
+        ];
+        points::serial(&lists, names, "the next", bounds)
     }
 
     /// Within the visible cases' limit of n.
@@ -268,7 +273,7 @@ impl Graded for RandomPattern {
         },
         Mistake {
             name: "takes whole numbers, 0 or 1",
-            hint: "How many different places have your points?",
+            hint: "In how many different places of the square are your points?",
             answer: |q| each(q, Vec2::round),
         },
     ];

@@ -20,7 +20,7 @@ fn cells(q: &RegularGrid, place: impl Fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     cells.map(|cell| pixel + place(cell, count)).collect()
 }
 
-/// The same of a grid of other numbers of cells; a place is still told the right ones.
+/// The same of a grid of other numbers of columns and rows; `place` is still given those of the question.
 fn other_cells(
     q: &RegularGrid,
     [columns, rows]: [u32; 2],

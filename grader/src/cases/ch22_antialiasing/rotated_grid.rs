@@ -38,7 +38,7 @@ fn steps(q: &RotatedGrid, takes: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
     inside(points)
 }
 
-/// The lattice by its whole steps, turned in a sense, and moved after that by as many spacings.
+/// The lattice by its whole steps, turned in a sense, and moved after that by `by` spacings.
 fn moved(q: &RotatedGrid, sense: f32, by: Vec2) -> Vec<Vec2> {
     // A whole step along the lattice changes nothing.
     let steps = turned(by, -sense);
@@ -244,7 +244,7 @@ impl Graded for RotatedGrid {
             },
         },
         Mistake {
-            name: "takes ½ for the angle, and rotates clockwise",
+            name: "takes ½ for the angle (in a lattice turned clockwise)",
             hint: "½ is the tangent: what is the angle, in radians?",
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(-0.5).rotate(p))),
         },
@@ -254,7 +254,7 @@ impl Graded for RotatedGrid {
             answer: |q| moved(q, 1.0, q.offset),
         },
         Mistake {
-            name: "adds the offset after the rotation, which is clockwise",
+            name: "adds the offset after the rotation (in a lattice turned clockwise)",
             hint: "Is the offset measured along the lattice, or along the sides of the square?",
             answer: |q| moved(q, -1.0, q.offset),
         },
@@ -264,7 +264,7 @@ impl Graded for RotatedGrid {
             answer: |q| moved(q, 1.0, turned(q.offset / q.spacing, 1.0)),
         },
         Mistake {
-            name: "takes the offset in sides of the square, and rotates clockwise",
+            name: "takes the offset in sides of the square (in a lattice turned clockwise)",
             hint: "In which unit is the offset: in spacings, or in sides of the square?",
             answer: |q| moved(q, -1.0, turned(q.offset / q.spacing, -1.0)),
         },
@@ -279,7 +279,7 @@ impl Graded for RotatedGrid {
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_6).rotate(p))),
         },
         Mistake {
-            name: "takes only the steps that fit into half of the square's side, as whole ones",
+            name: "takes no more steps along the lattice than fit into half of the square's side",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
             answer: |q| {
                 let reach = (0.5 / q.spacing).floor();

@@ -339,7 +339,7 @@ impl Graded for NeedsMore {
             },
         },
         Mistake {
-            name: "divides by the root of n − 1 instead of n, after s² is divided by n − 1",
+            name: "divides the deviation by the root of n − 1, not by the root of n",
             hint: "Of the two divisions, which one is by n − 1, and which by the root of n?",
             answer: |q| {
                 let n = q.samples.len() as f32;
@@ -378,7 +378,8 @@ impl Graded for NeedsMore {
             hint: "Three samples, each a little brighter than the one before: how much brighter is the last than the first?",
             answer: |q| {
                 let neighbours = q.samples.windows(2).map(|pair| [&pair[0], &pair[1]]);
-                decide(q, of_pairs(q, neighbours), standard_error(q))
+                let neighbours: Vec<_> = neighbours.collect();
+                decide(q, of_pairs(q, &neighbours), standard_error(q))
             },
         },
         Mistake {
@@ -386,8 +387,11 @@ impl Graded for NeedsMore {
             hint: "One bright sample among dark ones: does it count wherever it comes?",
             answer: |q| {
                 let ends = q.samples.first().zip(q.samples.last());
-                let ends = ends.into_iter().map(|(first, last)| [first, last]);
-                decide(q, of_pairs(q, ends), standard_error(q))
+                let ends: Vec<_> = ends
+                    .into_iter()
+                    .map(|(first, last)| [first, last])
+                    .collect();
+                decide(q, of_pairs(q, &ends), standard_error(q))
             },
         },
         Mistake {
@@ -454,6 +458,20 @@ impl Graded for NeedsMore {
                 decide(q, too_contrasty(q, ratio), error)
             },
         },
+        Mistake {
+            name: "returns 0 at the first channel that is black",
+            hint: "One channel is black in all samples: may another one differ, or the luminance be noisy?",
+            answer: |q| {
+                let is_lit = |channel: &usize| range(q, *channel)[0] > 0.0;
+                let limits = q.contrast.channels();
+                let mut before = (0..3).take_while(is_lit);
+                let contrast = before.any(|channel| ratio(range(q, channel)) > limits[channel]);
+                if !contrast && !(0..3).all(|channel| is_lit(&channel)) {
+                    return 0;
+                }
+                decide(q, contrast, standard_error(q))
+            },
+        },
     ];
 }
 
@@ -468,14 +486,14 @@ fn of_luminance(q: &NeedsMore, limit: f32) -> u32 {
 }
 
 /// Whether a channel's contrast is above its limit in any two samples of those pairs.
-fn of_pairs<'a>(q: &NeedsMore, pairs: impl Iterator<Item = [&'a Rgb; 2]> + Clone) -> bool {
+fn of_pairs(q: &NeedsMore, pairs: &[[&Rgb; 2]]) -> bool {
     let limits = q.contrast.channels();
     (0..3).any(|channel| {
-        let is_above = |pair: [&Rgb; 2]| {
+        let is_above = |pair: &[&Rgb; 2]| {
             let [one, other] = pair.map(|s| s.channels()[channel]);
             ratio([one.max(other), one.min(other)]) > limits[channel]
         };
-        pairs.clone().any(is_above)
+        pairs.iter().any(is_above)
     })
 }
 

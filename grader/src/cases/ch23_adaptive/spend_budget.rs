@@ -68,7 +68,7 @@ fn rest_to_one(q: &SpendBudget, rounded: fn(f32) -> f32, pixel: fn(&[f32]) -> us
     counts
 }
 
-/// Rounds down, but for what is a whole number before it is rounded off.
+/// Rounds down; a share just below a whole number, by rounding, counts as that number.
 fn down(share: f32) -> f32 {
     (share + 1e-4).floor()
 }
@@ -229,7 +229,7 @@ impl Graded for SpendBudget {
             answer: |q| shares(q, q.least, |d| d),
         },
         Mistake {
-            name: "gives all that is left to the pixel of the largest deviation",
+            name: "gives all that is left beyond the minimum to the pixel of the largest deviation",
             hint: "When the worst pixel has ten times as many samples as the others, is it still the worst?",
             answer: |q| {
                 let mut counts = vec![q.least; q.deviations.len()];
@@ -326,7 +326,7 @@ impl Graded for SpendBudget {
             },
         },
         Mistake {
-            name: "gives all that rounding leaves to the noisiest pixel",
+            name: "gives all that rounding leaves to the pixel of the largest deviation",
             hint: "Each share was rounded by less than one sample: how many of the samples left over should one pixel get?",
             answer: |q| rest_to_one(q, down, noisiest),
         },
@@ -380,12 +380,12 @@ impl Graded for SpendBudget {
             },
         },
         Mistake {
-            name: "shares by the variance, and takes the minimum into account",
-            hint: "Twice the deviation: does that want four times the samples? If you give them one by one, which pixel gains most: that of the largest σ²/n, or that whose σ²/n falls most?",
+            name: "shares by the variance (the minimum taken into account)",
+            hint: "Twice the deviation: does that want four times the samples? Try two pixels by hand.",
             answer: |q| Self::misread(q, |q| q.deviations.iter_mut().for_each(|d| *d *= *d)),
         },
         Mistake {
-            name: "shares by the root of the deviation, and takes the minimum into account",
+            name: "shares by the root of the deviation (the minimum taken into account)",
             hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
             answer: |q| Self::misread(q, |q| q.deviations.iter_mut().for_each(|d| *d = d.sqrt())),
         },

@@ -518,8 +518,8 @@ fn three_levels_down(q: &Collapse, branch: u32) -> Vec<u32> {
     children.flat_map(below).flat_map(below).collect()
 }
 
-/// Takes a node itself, or instead of a branch what is below it, as long as there are places for both of its sides: the left one has half of
-/// them, and the right one those that are left.
+/// Takes a node itself, or instead of a branch what is below it, as long as there are places for both of its sides: the left one
+/// has half of them, and the right one those that are left.
 fn take(q: &Collapse, node: u32, places: usize, taken: &mut Vec<u32>) {
     if !is_branch(q, node) || places < 2 {
         taken.push(node);

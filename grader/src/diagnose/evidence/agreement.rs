@@ -159,8 +159,9 @@ impl Evidence<'_> {
 
     /// Whether an answer is the one that is predicted; and whether it is so to the last digits.
     fn agrees(&self, item: &Item, prediction: &[f64]) -> (bool, bool) {
+        let [is_nan, got_nan] = [prediction, &item.got].map(|v| v.iter().any(|v| v.is_nan()));
         if self.scope == Scope::Shape {
-            let same = self.same_shape(prediction, &item.got);
+            let same = is_nan == got_nan && self.same_shape(prediction, &item.got);
             return (same, same);
         }
         if self.alike(item, prediction) {
@@ -170,10 +171,9 @@ impl Evidence<'_> {
             let compare = |one, other| self.examiner.compare(&item.question, one, other).is_ok();
             compare(prediction, &item.got) && compare(&item.got, prediction)
         };
-        (
-            self.judged && prediction.iter().all(|v| !v.is_nan()) && judged(),
-            false,
-        )
+        // A judge that compares with NaN finds no difference.
+        let are_numbers = !is_nan && !got_nan;
+        (self.judged && are_numbers && judged(), false)
     }
 
     /// The same numbers, up to rounding.

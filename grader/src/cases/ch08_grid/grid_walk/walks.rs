@@ -70,8 +70,8 @@ pub(super) struct Adding {
     pub(super) moves: [bool; 3],
     /// Whether a distance is that of the plane after the one that is crossed.
     pub(super) is_late: bool,
-    /// Whether it ends where the ray leaves the lattice, in whatever cell it is then, and leaves out cells that the ray seems to leave before it
-    /// enters.
+    /// Whether it ends where the ray leaves the lattice, in whatever cell it is then, and leaves out cells that the ray seems to
+    /// leave before it enters.
     pub(super) is_clipped: bool,
 }
 

@@ -72,6 +72,18 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("wide_closest", "opens every child"),
     (
         "wide_closest",
+        "sorts the boxes by the distances of their least corners from the ray's origin",
+    ),
+    (
+        "wide_closest",
+        "tests all leaves of a node before it opens the nodes among its children",
+    ),
+    (
+        "wide_closest",
+        "takes the nearest child first, and the others in the order of the node",
+    ),
+    (
+        "wide_closest",
         "opens the children in the reverse order of the node, as they come from a stack",
     ),
     ("wide_closest", "counts the triangles of a leaf as one test"),

@@ -11,6 +11,9 @@ use rayon::prelude::{IntoParallelIterator, ParallelIterator};
 use std::collections::HashMap;
 use std::path::Path;
 
+/// The number of mistakes that a gallery shows: the first of the list, which are the most common.
+const SHOWN: usize = 20;
+
 /// The answer of a mistake to the first case that shows it.
 struct Shown<'a> {
     case: &'a Case,
@@ -42,7 +45,9 @@ fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
             figure class="right" { img src=(file) alt=(alt) loading="lazy"; figcaption { b { "Right." } } }
         });
     }
-    for (i, (mistake, hint)) in examiner.mistakes().into_iter().enumerate() {
+    let mistakes = examiner.mistakes();
+    let further = mistakes.len().saturating_sub(SHOWN);
+    for (i, (mistake, hint)) in mistakes.into_iter().take(SHOWN).enumerate() {
         let printed = |answer: Vec<f64>| row::format(examiner.asked().answer.kind, &answer);
         let wrong = picture(examiner, |question| {
             let answer = examiner.mistake_answers(i, question).map(printed)?;
@@ -72,7 +77,12 @@ fn drawn(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
         }
     }
     cards.extend(unseen);
-    let gallery = html! { div class="gallery" { @for card in cards { (card) } } };
+    let gallery = html! {
+        div class="gallery" { @for card in cards { (card) } }
+        @if further > 0 {
+            p { code { "raybook check " (name) } " knows " (further) " more, and says which one's answers are yours." }
+        }
+    };
     Ok(gallery.into_string())
 }
 

@@ -58,7 +58,7 @@ pub fn passage(
 ) -> Verdict {
     let way = Way::new(ray, within, cells);
     let number = |counted: usize| format!("you visit {counted}, the reference {}", golden.len());
-    // `reached` is how far the ray has come in all cells so far, `surely` in those that it does not only touch.
+    // `reached` is where the ray leaves the cells before, `surely` where it leaves those of them that it does not only touch.
     let (mut reached, mut surely) = (f64::NEG_INFINITY, f64::NEG_INFINITY);
     for (i, &cell) in got.iter().enumerate() {
         let Some(bounds) = cells.get(cell as usize) else {

@@ -29,7 +29,8 @@ impl Drop for Giving {
     }
 }
 
-/// What is answered by one who makes the first mistake upon the second, and whether the first is made of anything that the second changes.
+/// What is answered by one who makes the mistake `first` upon the mistake `second`, and whether `first` is made of anything that
+/// `second` changes.
 pub fn upon<E: Graded>(
     first: &'static Mistake<E>,
     second: &'static Mistake<E>,

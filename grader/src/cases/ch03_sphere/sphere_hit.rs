@@ -193,10 +193,7 @@ impl Graded for SphereHit {
                 let to_center = q.center - q.ray.origin;
                 let middle = to_center.dot(*q.ray.direction);
                 let square = q.radius * q.radius - to_center.length_squared();
-                let half = (square >= 0.0).then(|| square.sqrt())?;
-                [middle - half, middle + half]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                first_end(q, middle, square)
             },
         },
         Mistake {
@@ -314,10 +311,7 @@ impl Graded for SphereHit {
                 let foot = way.dot(*q.ray.direction).max(0.0);
                 let beside = way - foot * *q.ray.direction;
                 let square = q.radius * q.radius - beside.length_squared();
-                let half = (square >= 0.0).then(|| square.sqrt())?;
-                [foot - half, foot + half]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                first_end(q, foot, square)
             },
         },
         Mistake {
@@ -344,10 +338,7 @@ impl Graded for SphereHit {
                 let way = q.center - q.ray.origin;
                 let foot = way.dot(*q.ray.direction);
                 let square = q.radius * q.radius - (way - foot * *q.ray.direction).length();
-                let half = (square >= 0.0).then(|| square.sqrt())?;
-                [foot - half, foot + half]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                first_end(q, foot, square)
             },
         },
         Mistake {
@@ -406,4 +397,11 @@ fn pick(q: &SphereHit, choose: impl Fn(f32, f32) -> Option<f32>) -> Option<f32> 
     both(q)
         .and_then(|t| choose(t.x, t.y))
         .filter(|t| q.within.contains(*t))
+}
+
+/// The first of the two ends of a chord that counts: `square` is the square of half of the chord, and at `middle` is its middle.
+fn first_end(q: &SphereHit, middle: f32, square: f32) -> Option<f32> {
+    let half = (square >= 0.0).then(|| square.sqrt())?;
+    let mut ends = [middle - half, middle + half].into_iter();
+    ends.find(|t| q.within.contains(*t))
 }

@@ -438,7 +438,7 @@ fn by_corner(q: &VertexNormals, weights: [f32; 3]) -> Vec<Vec3> {
     directions(sums)
 }
 
-/// The normals, if what a vertex has so far and each of its triangles' vectors are brought together in another way than by a sum.
+/// The normals, if `together` makes of what a vertex has so far and a triangle's vector what the vertex has next, in the place of a sum.
 fn running(q: &VertexNormals, together: fn(Vec3, Vec3) -> Vec3) -> Vec<Vec3> {
     let mut so_far = vec![Vec3::ZERO; q.positions.len()];
     for (corners, twice_area) in faces(q, Vec3::cross) {

@@ -52,6 +52,13 @@ fn integrated(q: &ReflectedRadiance, change: impl FnOnce(&mut How)) -> Rgb {
     sum
 }
 
+/// The weight of a direction of either kind that is divided by its own density, in the place of the density of both: the highlight's
+/// reach no direction beyond 90° from its axis.
+fn by_own_density(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    let is_reached = highlight(q, q.exponent, d) > 0.0;
+    if is_reached { 1.0 } else { 0.5 }
+}
+
 /// The same with a weight.
 fn estimated(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
     integrated(q, |how| how.weight = weight)
@@ -434,12 +441,7 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "divides each of two kinds of directions by its own density, although the highlight's reach no direction beyond 90° from its axis",
             hint: "Half of your samples never come to some directions in which the matte part has light: who stands for them?",
-            answer: |q| {
-                estimated(q, |q, d| {
-                    let is_reached = highlight(q, q.exponent, d) > 0.0;
-                    if is_reached { 1.0 } else { 0.5 }
-                })
-            },
+            answer: |q| estimated(q, by_own_density),
         },
         Mistake {
             name: "divides by the number of samples above the surface only",
@@ -628,12 +630,7 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "adds up what both ways of choosing give, each divided by its own density",
             hint: "Either way gives all of the light that its directions reach: what do you get of both together?",
-            answer: |q| {
-                estimated(q, |q, d| {
-                    let is_reached = highlight(q, q.exponent, d) > 0.0;
-                    if is_reached { 2.0 } else { 1.0 }
-                })
-            },
+            answer: |q| estimated(q, |q, d| 2.0 * by_own_density(q, d)),
         },
         Mistake {
             name: "spreads the angle to the normal evenly, and divides by the uniform density",

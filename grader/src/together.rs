@@ -114,6 +114,26 @@ pub fn fills(what: &str, numbers: impl Iterator<Item = f64>, bounds: Bounds) -> 
     Ok(())
 }
 
+/// Whether estimates scatter no more than chance lets them, by how many of their standard deviations each of them is off: the squares of n of
+/// these have a sum with the χ² distribution, and the cube root of their mean is nearly normal (Wilson and Hilferty 1931). Who scatters less may
+/// well: stratified estimates do.
+///
+/// # Errors
+/// If all of them together scatter more.
+pub fn scattered(what: &str, deviations: impl Iterator<Item = f64>, bounds: Bounds) -> Verdict {
+    let squares: Vec<_> = deviations.map(|by| by * by).collect();
+    let n = squares.len() as f64;
+    let mean = squares.iter().sum::<f64>() / n;
+    let variance = 2.0 / (9.0 * n);
+    if mean.cbrt() > 1.0 - variance + bounds.of(DEVIATIONS) * variance.sqrt() {
+        return Err(format!(
+            "{what} scatter {:.1} times as much as those of so many samples may: are all of them random, and each taken once?",
+            mean.sqrt()
+        ));
+    }
+    Ok(())
+}
+
 /// Each number with the next: whether a generator's numbers hang together one after the other. All are uniform in [0, 1); `what`
 /// says what a number is, and `next` of what the next number is.
 ///

@@ -140,6 +140,11 @@ impl Graded for VisibleFraction {
             name: "sees a few percent too much of the light, or too little, which no single answer shows",
             hint: "How many samples do you take, and by which number do you divide? Is a sample ever counted that is hidden, or left out though it is seen?",
         },
+        Flaw {
+            complaint: "times as much as those of so many samples may",
+            name: "takes fewer samples than are asked for, or some of them again, which no single answer shows",
+            hint: "How many samples do you take for each point, and does each of them have random numbers of its own?",
+        },
     ];
 
     fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {

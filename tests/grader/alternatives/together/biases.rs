@@ -93,6 +93,15 @@ fn at_places(q: &[f64], place: impl Fn(DVec2) -> DVec2) -> Vec<f64> {
     answer.expect("fractions")[1..].to_vec()
 }
 
+/// Fractions by this share of the samples.
+fn of_samples(q: &[f64], share: f64) -> Vec<f64> {
+    let mut question = q.to_vec();
+    if let Some(samples) = question.last_mut() {
+        *samples = (share * *samples).round();
+    }
+    at_places(&question, |u| u)
+}
+
 /// Directions as the angle round the normal and the height above the surface, changed.
 fn round_the_normal(q: &[f64], numbers: &[f64], change: fn(f64, f64) -> (f64, f64)) -> Vec<f64> {
     let normal = vec3(q[0] as f32, q[1] as f32, q[2] as f32);
@@ -152,6 +161,8 @@ pub const BIASES: &[(&str, &[Bias])] = &[
             ("has places of the power 1.1 along a", |q, _| {
                 at_places(q, |u| dvec2(u.x.powf(1.1), u.y))
             }),
+            ("takes a half of the samples", |q, _| of_samples(q, 0.5)),
+            ("takes a quarter of the samples", |q, _| of_samples(q, 0.25)),
             (
                 "is 3 % too large, by the same numbers each time",
                 |_, all| times(all, 1.03).into_iter().map(|f| f.min(1.0)).collect(),

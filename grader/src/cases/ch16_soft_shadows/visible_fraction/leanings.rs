@@ -4,7 +4,7 @@
 use super::fractions::{FINE, seen_places};
 use crate::Verdict;
 use crate::cases::ch16_soft_shadows::lattice;
-use crate::together::Bounds;
+use crate::together::{Bounds, scattered};
 use glam::{DVec2, Vec3, vec3};
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use std::collections::BTreeMap;
@@ -59,8 +59,10 @@ const SHARED: [fn(&Point) -> [usize; 2]; 3] = [
 /// normally distributed (the score test, Rao 1948). Each of the seven is beyond its bound by chance with 4e-10. Where fractions may have the same random
 /// numbers, the sum has the largest of the variances that it can have by them.
 ///
+/// Fractions with random numbers of their own may scatter no more than the samples that are asked for let them: with 1e-9 they do by chance.
+///
 /// # Errors
-/// What the fractions lean to most, if that is beyond its bound.
+/// What the fractions lean to most, if that is beyond its bound; or that they scatter too much.
 pub(super) fn together(answers: &[(VisibleFraction, Vec<f32>)], bounds: Bounds) -> Verdict {
     const DEVIATIONS: f64 = 6.25;
     let points = points(answers);
@@ -86,7 +88,9 @@ pub(super) fn together(answers: &[(VisibleFraction, Vec<f32>)], bounds: Bounds) 
     let all = (0..LEANINGS.len()).map(|i| (i, deviations(i)));
     let most = all.max_by(|(_, a), (_, b)| a.abs().total_cmp(&b.abs()));
     let Some((i, by)) = most.filter(|(_, by)| by.abs() > bound) else {
-        return Ok(());
+        let by = |point: &Point| point.off / point.variance.sqrt();
+        let own = points.iter().filter(|_| independent).map(by);
+        return scattered("the fractions", own, bounds);
     };
     let (what, how) = (LEANINGS[i], if by > 0.0 { "often" } else { "seldom" });
     let by = by.abs();

@@ -250,7 +250,7 @@ impl Stage {
         self.folder.join("packages")
     }
 
-    /// Compiles the packages that workbooks use, with a starter, once in a run.
+    /// Compiles the packages that workbooks use, once in a run: for a workbook with nothing in it, as ours are the hand-in's to write.
     fn warm_up(&self) -> Result<(), Trouble> {
         let mut warm = lock(&self.warm);
         if *warm {
@@ -258,12 +258,20 @@ impl Stage {
         }
         let folder = self.warm_folder();
         let starter = starter::given(Language::Rust).map_err(ToString::to_string)?;
-        let files = starter
+        let is_source = |path: &Path| path.extension().is_some_and(|e| e == "rs");
+        let manifests = starter
             .iter()
+            .filter(|(path, _)| !is_source(path))
             .map(|(path, bytes)| (path.as_path(), &bytes[..]));
-        let settings = (Path::new(".cargo/config.toml"), CARGO.as_bytes());
+        let nothing = [
+            ("src/lib.rs", ""),
+            ("workbook/src/lib.rs", ""),
+            ("workbook/src/bin/answer.rs", "fn main() {}"),
+            (".cargo/config.toml", CARGO),
+        ]
+        .map(|(path, text)| (Path::new(path), text.as_bytes()));
         remove(&folder).map_err(told("be emptied", &folder))?;
-        write(&folder, files.chain([settings])).map_err(told("be filled", &folder))?;
+        write(&folder, manifests.chain(nothing)).map_err(told("be filled", &folder))?;
         let (built, said) = self.sandbox.build_told(&folder, ANSWER);
         built.map_err(|error| {
             format!("an empty workbook cannot be built here ({error}). Make one of your own once (raybook new, raybook check): that downloads the packages that workbooks use.\n{said}")

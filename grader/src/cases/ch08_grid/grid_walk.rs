@@ -9,7 +9,9 @@ use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
-use walks::{ADDING, Adding, added, ahead, by_distance, in_front, nearest, student};
+use walks::{
+    ADDING, Adding, added, ahead, beyond, by_distance, in_front, nearest, stuck, student, walked,
+};
 
 impl Graded for GridWalk {
     fn random(rng: &mut Pcg) -> GridWalk {
@@ -553,38 +555,4 @@ fn passed(q: &GridWalk, visits: &[Visit]) -> Vec<Visit> {
 /// Where the ray enters the lattice, or the interval begins.
 fn start(q: &GridWalk) -> f32 {
     slab::clip(&q.lattice().bounds(), &q.ray, q.within).map_or(q.within.min, |inside| inside.min)
-}
-
-fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
-    GridWalk::right(&GridWalk {
-        within,
-        ..q.clone()
-    })
-}
-
-/// A walk to the end of the lattice, of a ray that enters the lattice within its interval; no distance is greater than `end`.
-fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
-    if GridWalk::right(q).is_empty() {
-        return Vec::new();
-    }
-    let visits = walked(q, Interval::new(q.within.min, f32::INFINITY)).into_iter();
-    visits
-        .map(|visit| Visit {
-            leave: visit.leave.min(end),
-            ..visit
-        })
-        .collect()
-}
-
-/// A walk on which the cell changes along some axes only.
-fn stuck(q: &GridWalk, moves: [bool; 3]) -> Vec<Visit> {
-    let is_clipped = true;
-    added(
-        q,
-        &Adding {
-            moves,
-            is_clipped,
-            ..ADDING
-        },
-    )
 }

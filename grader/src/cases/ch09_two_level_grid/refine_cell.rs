@@ -1,52 +1,19 @@
 //! `refine_cell`: random questions, judge and mistakes.
 
+mod refinements;
+
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
-use raybook::inside::grid::{Lattice, range};
+use raybook::inside::grid::Lattice;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
-use raybook_workbook::exercise::Exercise;
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch08_grid::{Cell, GridResolution};
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
+use refinements::{
+    Last, at, cut, cut_by, cut_for, middle, reached, reaches, resolution, with_cells, with_numbers,
+    with_shapes, without_last, without_shapes, without_those_outside,
+};
 use std::collections::HashSet;
-
-/// The middle of a shape's box, as a box without extent.
-fn middle(shape: &Corners) -> Corners {
-    let middle = 0.5 * (shape.min + shape.max);
-    Corners {
-        min: middle,
-        max: middle,
-    }
-}
-
-/// The reference's answer with other boxes.
-fn with_shapes(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
-    RefineCell::misread(q, |q| q.shapes = q.shapes.iter().map(shape).collect())
-}
-
-/// The same without the boxes that do not reach the coarse cell.
-fn without_those_outside(q: &RefineCell, shape: impl Fn(&Corners) -> Corners) -> RefineCellAnswer {
-    let mut answer = with_shapes(q, &shape);
-    answer.entries.retain(|entry| {
-        let shape = shape(&q.shapes[entry.shape as usize]);
-        reaches(q, &shape)
-    });
-    answer
-}
-
-/// Whether a box reaches the coarse cell.
-fn reaches(q: &RefineCell, shape: &Corners) -> bool {
-    shape.max.cmpge(q.min).all() && shape.min.cmple(q.max).all()
-}
-
-/// The reference's answer without the shapes that are dropped.
-fn without_shapes(q: &RefineCell, drops: impl Fn(&Corners) -> bool) -> RefineCellAnswer {
-    let mut answer = RefineCell::right(q);
-    let kept = |entry: &Entry| !drops(&q.shapes[entry.shape as usize]);
-    answer.entries.retain(kept);
-    answer
-}
 
 impl Graded for RefineCell {
     fn random(rng: &mut Pcg) -> RefineCell {
@@ -442,59 +409,6 @@ impl Graded for RefineCell {
     ];
 }
 
-/// The answer for the resolution of a cell of these extents with `shapes` shapes, and at most `most` along each axis; the right one
-/// for an empty cell.
-fn cut_for(q: &RefineCell, extents: Vec3, shapes: usize, most: u32) -> RefineCellAnswer {
-    cut_by(q, extents, shapes, |n| n.min(UVec3::splat(most)))
-}
-
-/// The same with another limit.
-fn cut_by(
-    q: &RefineCell,
-    extents: Vec3,
-    shapes: usize,
-    limited: impl Fn(UVec3) -> UVec3,
-) -> RefineCellAnswer {
-    if q.shapes.is_empty() {
-        return RefineCell::right(q);
-    }
-    let Cell { x, y, z } = GridResolution::answer(&GridResolution {
-        extents,
-        shapes: shapes as u32,
-        density: q.density,
-    });
-    cut(q, limited(UVec3::new(x, y, z)))
-}
-
-/// The answer for a resolution of one's own.
-fn cut(q: &RefineCell, along: UVec3) -> RefineCellAnswer {
-    let bounds = Aabb {
-        min: q.min,
-        max: q.max,
-    };
-    let fine = Lattice::new(&bounds, along);
-    let mut entries = Vec::new();
-    let all = (along.min_element() > 0).then(|| fine.all());
-    for cell in all.into_iter().flatten() {
-        for (shape, corners) in (0..).zip(&q.shapes) {
-            if depth(&fine, cell, corners) >= 0.0 {
-                entries.push(Entry {
-                    x: cell.x,
-                    y: cell.y,
-                    z: cell.z,
-                    shape,
-                });
-            }
-        }
-    }
-    RefineCellAnswer {
-        nx: along.x,
-        ny: along.y,
-        nz: along.z,
-        entries,
-    }
-}
-
 /// A shape may reach a cell by so little, in metres, or miss it, and either answer is right.
 const TOLERANCE: f32 = 1e-4;
 
@@ -502,85 +416,4 @@ const TOLERANCE: f32 = 1e-4;
 fn depth(fine: &Lattice, cell: UVec3, shape: &Corners) -> f32 {
     let Aabb { min, max } = fine.bounds_of(cell, cell);
     (shape.max.min(max) - shape.min.max(min)).min_element()
-}
-
-/// When the last cell that a shape reaches along an axis is left out.
-#[derive(Clone, Copy, PartialEq, Eq)]
-enum Last {
-    /// Even if the shape reaches no other.
-    Always,
-    /// Only if the shape reaches another.
-    UnlessAlone,
-}
-
-/// The number of cells along each axis.
-fn resolution(answer: &RefineCellAnswer) -> Vec3 {
-    UVec3::new(answer.nx, answer.ny, answer.nz).as_vec3()
-}
-
-/// The right resolution, and a rule for the numbers of the first and the last cell that a shape reaches: from where it begins and
-/// ends, in cells from the corner, and the last cell's number.
-fn with_cells(
-    q: &RefineCell,
-    numbers: impl Fn(Vec3, Vec3, Vec3) -> (Vec3, Vec3),
-) -> RefineCellAnswer {
-    let right = RefineCell::right(q);
-    let size = (q.max - q.min) / resolution(&right);
-    with_numbers(right, q, size, numbers)
-}
-
-/// The same with fine cells of this size.
-fn with_numbers(
-    mut right: RefineCellAnswer,
-    q: &RefineCell,
-    size: Vec3,
-    numbers: impl Fn(Vec3, Vec3, Vec3) -> (Vec3, Vec3),
-) -> RefineCellAnswer {
-    let last = resolution(&right) - 1.0;
-    let mut entries = Vec::new();
-    for (shape, corners) in (0..).zip(&q.shapes) {
-        let from_corner = |corner: Vec3| (corner - q.min) / size;
-        let (low, high) = numbers(from_corner(corners.min), from_corner(corners.max), last);
-        if low.cmpgt(high).any() || !(low + high).is_finite() {
-            continue;
-        }
-        for cell in range(low.as_uvec3(), high.as_uvec3()) {
-            let UVec3 { x, y, z } = cell;
-            entries.push(Entry { x, y, z, shape });
-        }
-    }
-    right.entries = entries;
-    right
-}
-
-/// The cell of an entry.
-fn at(entry: &Entry) -> [u32; 3] {
-    [entry.x, entry.y, entry.z]
-}
-
-/// The first and the last cell that each shape reaches, along each axis.
-fn reached(q: &RefineCell, answer: &RefineCellAnswer) -> Vec<[[u32; 2]; 3]> {
-    let mut reached = vec![[[u32::MAX, 0]; 3]; q.shapes.len()];
-    for entry in &answer.entries {
-        let reached = &mut reached[entry.shape as usize];
-        for ([first, last], at) in reached.iter_mut().zip(at(entry)) {
-            (*first, *last) = (at.min(*first), at.max(*last));
-        }
-    }
-    reached
-}
-
-/// The answer without the last cell that each shape reaches along some axes.
-fn without_last(q: &RefineCell, axes: [bool; 3], when: Last) -> RefineCellAnswer {
-    let mut answer = RefineCell::right(q);
-    let reached = reached(q, &answer);
-    answer.entries.retain(|entry| {
-        let reached = reached[entry.shape as usize];
-        (0..3).all(|axis| {
-            let [first, last] = reached[axis];
-            let is_spared = when == Last::UnlessAlone && first == last;
-            !axes[axis] || is_spared || at(entry)[axis] < last
-        })
-    });
-    answer
 }

@@ -2,11 +2,13 @@
 
 mod fractions;
 mod leanings;
+mod misread;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use fractions::{FINE, by_cosine, exact, seen, seen_past, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
+use misread::{by_balls, less_each, past_each, turned};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::Shape;
@@ -598,38 +600,4 @@ fn just_beside(ball: &mut Ball, from: Vec3, height: f32, is_free: bool) {
     let sign = if is_free { 1.0 } else { -1.0 };
     let side = way.cross(Vec3::X).normalize_or(Vec3::Z);
     ball.center = on_the_way + (ball.radius + sign * apart) * side;
-}
-
-/// The fractions made of what each point sees past no ball, and past each of the balls alone.
-fn past_each(q: &VisibleFraction, made: fn(f32, &[f32]) -> f32) -> Vec<f32> {
-    let past = |balls: &[Ball]| VisibleFraction::misread(q, |q| q.balls = balls.to_vec());
-    let alone: Vec<_> = q.balls.chunks(1).map(past).collect();
-    let of_point = |(i, free)| {
-        let alone: Vec<f32> = alone.iter().map(|fractions| fractions[i]).collect();
-        made(free, &alone)
-    };
-    past(&[]).into_iter().enumerate().map(of_point).collect()
-}
-
-/// A fraction less what each ball alone would hide of it.
-fn less_each(free: f32, alone: &[f32]) -> f32 {
-    free - alone.iter().map(|one| free - one).sum::<f32>()
-}
-
-/// The answer for balls of other radii.
-fn by_balls(q: &VisibleFraction, radius: fn(f32) -> f32) -> Vec<f32> {
-    VisibleFraction::misread(q, |q| {
-        for ball in &mut q.balls {
-            ball.radius = radius(ball.radius);
-        }
-    })
-}
-
-/// The question of the same light, which shines to the other side.
-fn turned(q: &VisibleFraction) -> VisibleFraction {
-    VisibleFraction {
-        corner: q.corner + q.a,
-        a: -q.a,
-        ..q.clone()
-    }
 }

@@ -1,7 +1,9 @@
 //! Ray tracers with a slip in one place: what they are asked.
 
 use super::tracer::Tracer;
+use crate::Graded;
 use raybook::image::{rgb::Rgb, tone};
+use raybook::scene::description::Form;
 use raybook_workbook::exercises::ch25_capstone::Trace;
 
 /// What a ray tracer does wrongly; each is explained by its mistake in `trace.rs`.
@@ -102,4 +104,9 @@ pub fn answer(q: &Trace, slip: Slip) -> Rgb {
         Slip::Gamma => radiance.map(|v| v.max(0.0).powf(1.0 / 2.2)),
         _ => radiance,
     }
+}
+
+/// The answer in a scene without some of its forms.
+pub(super) fn without(q: &Trace, missing: fn(&Form) -> bool) -> Rgb {
+    Trace::misread(q, |q| q.scene.objects.retain(|o| !missing(&o.form)))
 }

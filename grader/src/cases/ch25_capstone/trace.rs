@@ -1,6 +1,6 @@
 //! `trace`: random questions, judge and mistakes.
 
-use super::slip::{Slip, answer};
+use super::slip::{Slip, answer, without};
 use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
@@ -654,11 +654,6 @@ fn lit_by_nothing(q: &Trace, got: &Rgb) -> bool {
         }
         _ => false,
     })
-}
-
-/// The answer in a scene without some of its forms.
-fn without(q: &Trace, missing: fn(&Form) -> bool) -> Rgb {
-    Trace::misread(q, |q| q.scene.objects.retain(|o| !missing(&o.form)))
 }
 
 /// What the ray meets first.

@@ -1,9 +1,10 @@
 //! Walks through a grid as students write them: what may be mistaken in each is of the caller's choice.
 
 use super::start;
+use crate::Graded;
 use glam::{UVec3, Vec3};
 use raybook::inside::grid::Lattice;
-use raybook::math::slab;
+use raybook::math::{interval::Interval, slab};
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 
 /// A walk with a beginning, a plane, and axes along which it steps of the student's choice: where the first of them is crossed, the
@@ -133,6 +134,40 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
         next[axis] += apart;
     }
     visits
+}
+
+/// A walk on which the cell changes along some axes only.
+pub(super) fn stuck(q: &GridWalk, moves: [bool; 3]) -> Vec<Visit> {
+    let is_clipped = true;
+    added(
+        q,
+        &Adding {
+            moves,
+            is_clipped,
+            ..ADDING
+        },
+    )
+}
+
+pub(super) fn walked(q: &GridWalk, within: Interval) -> Vec<Visit> {
+    GridWalk::right(&GridWalk {
+        within,
+        ..q.clone()
+    })
+}
+
+/// A walk to the end of the lattice, of a ray that enters the lattice within its interval; no distance is greater than `end`.
+pub(super) fn beyond(q: &GridWalk, end: f32) -> Vec<Visit> {
+    if GridWalk::right(q).is_empty() {
+        return Vec::new();
+    }
+    let visits = walked(q, Interval::new(q.within.min, f32::INFINITY)).into_iter();
+    visits
+        .map(|visit| Visit {
+            leave: visit.leave.min(end),
+            ..visit
+        })
+        .collect()
 }
 
 /// The number of the plane that the ray meets next, from that of its cell.

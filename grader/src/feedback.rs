@@ -264,6 +264,17 @@ fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
         lines.push(explained(also, &dress.paint("1", &also.name), "And "));
         lines.push(format!("  Hint: {}", also.hint));
     }
+    for seen in of(Beside::Shown) {
+        let name = dress.paint("1", &seen.name);
+        lines.push(match seen.wrong {
+            1 => format!("  It shows in the wrong answer: your function {name}."),
+            wrong => format!(
+                "  It shows in {} of the {wrong} wrong answers: your function {name}.",
+                seen.explained
+            ),
+        });
+        lines.push(format!("  Hint: {}", seen.hint));
+    }
     lines
 }
 

@@ -6,7 +6,7 @@
 //!     "right": 40, "asked": 40, "picture": null | "file",
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
 //!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
-//!         "certain": true, "part": null | "…", "also": [ …as this, and "beside": "apart" | "together" | "instead" ] },
+//!         "certain": true, "part": null | "…", "also": [ …as this, and "beside": "apart" | "together" | "instead" | "shown" ] },
 //!     "smallest": null | { …a case, the wrong one that is told, with a simpler question… },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
 //!         "question": "…", "answers": ["…"], "got": null | "…", "printed": "…", "stderr": "…" } ] } ] }
@@ -97,6 +97,7 @@ fn also(d: &Diagnosis) -> Value {
         Beside::Apart => "apart",
         Beside::Together => "together",
         Beside::Instead => "instead",
+        Beside::Shown => "shown",
     }
     .into();
     also

@@ -162,11 +162,19 @@ pub fn serial(
     Ok(())
 }
 
-/// Seeds for further questions: as they are an odd number apart, no two are the same for a generator that takes the lower 16 bits only, or 31.
+/// Seeds for further questions, three by three: the second is the first's neighbour, and the third differs in its upper half only. So who takes
+/// half of a seed, or its lower 16 bits, gives the same points twice; no two are the same for a generator of 31 bits, as that of C's `rand` is
+/// (none of the first 800 differ by 2³¹ or by 2³¹ − 1).
 pub fn seeds(rng: &mut Pcg, count: u32) -> impl Iterator<Item = u32> {
     const APART: u32 = 0x6a09_e667; // √2 − 1, as 32 digits of 2
+    const BESIDE: [u32; 3] = [0, 1, 1 << 16];
     let first: u32 = rng.random();
-    (0..count).map(move |i| first.wrapping_add(i.wrapping_mul(APART)).max(1))
+    let seed = move |i: u32| {
+        first
+            .wrapping_add((i / 3).wrapping_mul(APART))
+            .wrapping_add(BESIDE[i as usize % 3])
+    };
+    (0..count).map(move |i| seed(i).max(1))
 }
 
 /// Whether answers to questions of which only the seed differs do differ. `same` says of two of them whether all else is the same.

@@ -95,6 +95,10 @@ functions! {
     12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
     13 Number "rounds the answer to 2 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e2).round() / 1e2;
     13 Number "rounds the answer to 3 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e3).round() / 1e3;
+    13 Number "rounds the answer to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).round() / 255.0;
+    13 Number "rounds the answer down to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).floor() / 255.0;
+    13 Number "rounds the answer down to a whole multiple of 1/256, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor() / 256.0;
+    13 Number "makes a byte of the answer: rounds down 256 times it, 255 at most, and divides by 255", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor().min(255.0) / 255.0;
     12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
     12 Number "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
     12 Number "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
@@ -114,8 +118,8 @@ functions! {
     14 Angle "is half a turn off: the answer plus π", "Where is the angle 0?": |v| v + PI, back |v| v - PI;
     14 Angle "is half a turn off: the answer minus π", "Where is the angle 0?": |v| v - PI, back |v| v + PI;
     14 Number "is half of the range from 0 to 1 off", "Where does the range from 0 to 1 begin?": |v| (v + 0.5) - (v + 0.5).floor(), back |v| (v + 0.5) - (v + 0.5).floor();
-    14 Number "returns the answer in the range from −1 to 1 instead of 0 to 1", "In which range is the answer?": |v| 2.0 * v - 1.0, back |v| 0.5 * v + 0.5;
-    14 Number "returns the answer in the range from 0 to 1 instead of −1 to 1", "In which range is the answer?": |v| 0.5 * v + 0.5, back |v| 2.0 * v - 1.0;
+    14 Number "returns twice the answer minus 1, as for a range from −1 to 1 instead of 0 to 1", "From where to where does this number go, and from where to where should it?": |v| 2.0 * v - 1.0, back |v| 0.5 * v + 0.5;
+    14 Number "returns half of the answer plus ½, as for a range from 0 to 1 instead of −1 to 1", "From where to where does this number go, and from where to where should it?": |v| 0.5 * v + 0.5, back |v| 2.0 * v - 1.0;
     15 Number "cubes the answer", "Check the unit of your answer.": |v| v * v * v;
     15 Number "returns 1 over the square of the answer", "Check the unit of your answer.": |v| 1.0 / (v * v);
     15 Number "returns the exponential of the answer", "Is there an exponential too many, or a logarithm missing?": f64::exp;

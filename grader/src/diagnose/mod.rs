@@ -65,6 +65,8 @@ pub enum Beside {
     Together,
     /// It alone explains the same answers as well.
     Instead,
+    /// It is no other mistake, but what there is to see of the first.
+    Shown,
 }
 
 /// An explanation must give this share of the wrong answers.
@@ -213,6 +215,18 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         .or_else(|| flaws::of_some(evidence))
 }
 
+/// What may have made what is there to see in the answers.
+fn because(mut cause: Diagnosis, seen: Diagnosis) -> Diagnosis {
+    let with = |one: Diagnosis| Diagnosis {
+        beside: Beside::Shown,
+        ..one
+    };
+    if seen.name != cause.name {
+        cause.also.push(with(seen));
+    }
+    cause
+}
+
 /// What is there to see in the answers, and what may have made it.
 fn with_cause(
     evidence: &Evidence<'_>,
@@ -233,10 +247,7 @@ fn with_cause(
     let complete = complete.filter(|one| one.score.tells >= TELLS);
     let nearly = search::nearly(evidence);
     if let Some(cause) = complete.or(nearly.as_ref()) {
-        let mut told = cause.told(evidence);
-        told.also
-            .extend(Some(found).filter(|one| one.name != told.name));
-        return Some(told);
+        return Some(because(cause.told(evidence), found));
     }
     let nearly =
         whole.filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
@@ -252,17 +263,11 @@ fn with_cause(
     let cause = made.find(|one| one.name != found.name);
     // Who knows what to look for is helped more than who knows what is wrong.
     match cause {
-        Some(mut cause) if is_good => {
-            cause.also.push(found);
-            Some(cause)
-        }
-        None if evidence.is_judged() => {
-            let Some(mut cause) = where_it_is(evidence, readings) else {
-                return Some(found);
-            };
-            cause.also.push(found);
-            Some(cause)
-        }
+        Some(cause) if is_good => Some(because(cause, found)),
+        None if evidence.is_judged() => match where_it_is(evidence, readings) {
+            Some(cause) => Some(because(cause, found)),
+            None => Some(found),
+        },
         cause => {
             found.also.extend(cause);
             Some(found)

@@ -75,6 +75,25 @@ impl Mixed {
     }
 }
 
+/// What a number that fits does with a value.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Fitted {
+    /// Multiplies it.
+    Times(f64),
+    /// Is added to it.
+    Plus(f64),
+}
+
+impl Fitted {
+    /// A number of the value with it.
+    pub(super) fn of(self, v: f64) -> f64 {
+        match self {
+            Self::Times(by) => by * v,
+            Self::Plus(more) => v + more,
+        }
+    }
+}
+
 /// A sum of which one summand has a factor: f·x + c.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Bracket {
@@ -202,8 +221,8 @@ pub enum Slip {
     Ordered(Place, Order),
     /// Another number is written into the program.
     Limit(Place, usize),
-    /// The value is multiplied by a number that fits.
-    Scaled(Place, f64),
+    /// A number that fits is made part of the value.
+    Fitted(Place, Fitted),
 }
 
 impl Slip {
@@ -228,7 +247,7 @@ impl Slip {
             | Self::Rounds(at, _)
             | Self::Ordered(at, _)
             | Self::Limit(at, _)
-            | Self::Scaled(at, _) => at,
+            | Self::Fitted(at, _) => at,
         }
     }
 

@@ -244,6 +244,18 @@ pub const MISTAKES: &[Slip] = &[
     }),
     slip(
         "encode_srgb",
+        "a table of 512 values",
+        &["steps of 1/512", "steps of 1/511"],
+        |q, right| misread(q, right, |q| q[0] = (512.0 * q[0]).floor() / 512.0),
+    ),
+    slip(
+        "encode_srgb",
+        "a table of 1024 values, the nearest of which is taken",
+        &["steps of 1/1024"],
+        |q, right| misread(q, right, |q| q[0] = (1024.0 * q[0]).round() / 1024.0),
+    ),
+    slip(
+        "encode_srgb",
         "exponent 1/2.2 in the curve",
         &["1/2.2", "2.2"],
         |q, _| {
@@ -736,6 +748,21 @@ pub const MISTAKES: &[Slip] = &[
                 if l.len() > 4 {
                     let d = l[4];
                     l[5..].iter_mut().for_each(|v| *v /= d);
+                }
+            })
+        },
+    ),
+    slip(
+        "point_light",
+        "0.02 added to the square of the distance",
+        &["plus 0.02"],
+        |q, right| {
+            changed(right(q), |l| {
+                if l.len() > 4 {
+                    let square = l[4] * l[4];
+                    l[5..]
+                        .iter_mut()
+                        .for_each(|v| *v *= square / (square + 0.02));
                 }
             })
         },

@@ -1,6 +1,9 @@
 //! Two mistakes in one function, each of which shows in other cases: both are named, as who begins makes them.
 
 use super::function::{camera, diagnosed, right};
+use glam::vec3;
+use raybook::math::basis::Basis;
+use raybook::math::dir3::Dir3;
 use raybook_grader::cases;
 use raybook_grader::diagnose::{Beside, Diagnosis};
 
@@ -75,6 +78,33 @@ fn a_mistake_in_each_of_two_parts_is_told_in_its_part() {
         (Some("direction"), "draws the picture mirrored"),
     ];
     assert_eq!(told, both);
+}
+
+#[test]
+fn what_shows_of_a_mistake_is_no_second_one() {
+    let asked = cases::find("cosine_hemisphere")
+        .expect("an exercise")
+        .asked();
+    // A frame around normals that go down whose first axis has a sign wrong.
+    let found = diagnosed("cosine_hemisphere", |q| {
+        let right = (asked.call)(q);
+        if q[2] >= 0.0 {
+            return Some(right);
+        }
+        let normal = vec3(q[0] as f32, q[1] as f32, q[2] as f32);
+        let basis = Basis::around(Dir3::new(normal)?);
+        let askew = |d: &[f64]| {
+            let along = f64::from(basis.x.dot(vec3(d[0] as f32, d[1] as f32, d[2] as f32)));
+            [d[0], d[1], d[2] - 2.0 * along * f64::from(basis.x.z)]
+        };
+        let (count, directions) = right.split_at(right.len() % 3);
+        let directions = directions.chunks_exact(3).flat_map(askew);
+        Some(count.iter().copied().chain(directions).collect())
+    });
+    assert!(found.name.contains("sign of z wrong"), "{found:?}");
+    let beside = found.also.iter().map(|one| (one.beside, one.name.as_str()));
+    let shown = (Beside::Shown, "does not return directions of length 1");
+    assert_eq!(beside.collect::<Vec<_>>(), [shown]);
 }
 
 /// Both mistakes, which only together explain all answers.

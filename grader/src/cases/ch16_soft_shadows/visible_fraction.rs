@@ -584,6 +584,11 @@ impl Graded for VisibleFraction {
             },
         },
         Mistake {
+            name: "takes far fewer samples than are asked for, such as the root of their number",
+            hint: "How many samples do you take for each point, and by how many do you divide? Is a lattice of n by n places n samples, or n · n?",
+            answer: misread::by_few,
+        },
+        Mistake {
             name: "takes any ball on the line to the light for an obstacle, behind the point and behind the light too",
             hint: "A line has no ends: between which two points of it are obstacles?",
             answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, f32::INFINITY]),

@@ -253,7 +253,7 @@ impl Graded for CosineHemisphere {
         },
         Flaw {
             complaint: "the mean of cos",
-            name: "does not choose by the cosine: the directions are too steep, or too flat",
+            name: "does not choose by the cosine, or by other numbers than the given: the directions are too steep, or too flat",
             hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1?",
         },
         Flaw {

@@ -354,8 +354,8 @@ impl Way {
                 let each = each.map(|(v, (summand, factor))| bracket.of(*v, *summand, *factor));
                 v.with(&each.collect::<Vec<_>>())
             }
-            Slip::Scaled(at, by) if at == place => {
-                let value: Vec<_> = v.numbers().iter().map(|v| by * v).collect();
+            Slip::Fitted(at, fitted) if at == place => {
+                let value: Vec<_> = v.numbers().iter().map(|v| fitted.of(*v)).collect();
                 v.with(&value)
             }
             Slip::Mix { at, of, how, only } if at == place => {

@@ -129,6 +129,69 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, Made)
         "Is `{}` a whole number? Look for the wrong type.",
         f64::round,
     );
+    let steps: [(u32, Made, Made); 10] = [
+        (
+            10,
+            |v| (10.0 * v).floor() / 10.0,
+            |v| (10.0 * v).round() / 10.0,
+        ),
+        (
+            100,
+            |v| (100.0 * v).floor() / 100.0,
+            |v| (100.0 * v).round() / 100.0,
+        ),
+        (
+            255,
+            |v| (255.0 * v).floor() / 255.0,
+            |v| (255.0 * v).round() / 255.0,
+        ),
+        (
+            256,
+            |v| (256.0 * v).floor() / 256.0,
+            |v| (256.0 * v).round() / 256.0,
+        ),
+        (
+            511,
+            |v| (511.0 * v).floor() / 511.0,
+            |v| (511.0 * v).round() / 511.0,
+        ),
+        (
+            512,
+            |v| (512.0 * v).floor() / 512.0,
+            |v| (512.0 * v).round() / 512.0,
+        ),
+        (
+            1000,
+            |v| (1000.0 * v).floor() / 1000.0,
+            |v| (1000.0 * v).round() / 1000.0,
+        ),
+        (
+            1023,
+            |v| (1023.0 * v).floor() / 1023.0,
+            |v| (1023.0 * v).round() / 1023.0,
+        ),
+        (
+            1024,
+            |v| (1024.0 * v).floor() / 1024.0,
+            |v| (1024.0 * v).round() / 1024.0,
+        ),
+        (
+            4096,
+            |v| (4096.0 * v).floor() / 4096.0,
+            |v| (4096.0 * v).round() / 4096.0,
+        ),
+    ];
+    let exact = "How exactly is `{}` known where you use it? Look for a table, for a conversion to bytes, for `round`.";
+    for (steps, down, near) in steps {
+        let of = format!("takes {name} in steps of 1/{steps}");
+        each(
+            format!("{of}, rounded down, as from a table or a byte"),
+            21,
+            exact,
+            down,
+        );
+        each(format!("{of}, as from a table or a byte"), 21, exact, near);
+    }
     each(format!("takes a quarter of {name}"), 19, factor, |v| {
         0.25 * v
     });

@@ -98,7 +98,7 @@ impl Graded for VisibleFraction {
             .fold(f32::INFINITY, f32::min);
         let are_large = least > apart;
         let beside = BESIDE + (apart / least).powi(2) / 8.0;
-        for (i, (&f, &got)) in exact.iter().zip(got).enumerate() {
+        for (i, (&f, &fraction)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
             let at_the_corners = |scale| to_the_corners(q, i, scale);
             let is_certain = || match f {
@@ -106,15 +106,21 @@ impl Graded for VisibleFraction {
                 0.0 => at_the_corners(1.0 - beside) == 0.0,
                 _ => false,
             };
-            let bound = if are_large && got != f && is_certain() {
+            let bound = if are_large && fraction != f && is_certain() {
                 0.5 / n
             } else {
                 (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE
             };
             let name = format!("the fraction of point {i}");
-            judge::number_within(&name, "", f, got, bound)?;
-            if !(-1e-4..=1.0 + 1e-4).contains(&got) {
-                return Err(format!("{name} is {got}, and a fraction is from 0 to 1"));
+            let judged = judge::number_within(&name, "", f, fraction, bound);
+            judged.map_err(|why| match of_fewer(got, q.samples) {
+                Some(few) => format!("{why}: all fractions are whole parts of {few}, as of {few} samples instead of {n}"),
+                None => why,
+            })?;
+            if !(-1e-4..=1.0 + 1e-4).contains(&fraction) {
+                return Err(format!(
+                    "{name} is {fraction}, and a fraction is from 0 to 1"
+                ));
             }
         }
         Ok(())
@@ -141,6 +147,11 @@ impl Graded for VisibleFraction {
             complaint: "chance does not explain",
             name: "sees a few percent too much of the light, or too little, which no single answer shows",
             hint: "How many samples do you take, and by which number do you divide? Is a sample ever counted that is hidden, or left out though it is seen?",
+        },
+        Flaw {
+            complaint: "samples instead of",
+            name: "takes fewer samples than are asked for",
+            hint: "How many samples do you take for each point, and by how many do you divide? Is a lattice of n by n places n samples, or n · n?",
         },
         Flaw {
             complaint: "times as much as those of so many samples may",
@@ -584,16 +595,26 @@ impl Graded for VisibleFraction {
             },
         },
         Mistake {
-            name: "takes far fewer samples than are asked for, such as the root of their number",
-            hint: "How many samples do you take for each point, and by how many do you divide? Is a lattice of n by n places n samples, or n · n?",
-            answer: misread::by_few,
-        },
-        Mistake {
             name: "takes any ball on the line to the light for an obstacle, behind the point and behind the light too",
             hint: "A line has no ends: between which two points of it are obstacles?",
             answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, f32::INFINITY]),
         },
     ];
+}
+
+/// The number of samples of which all these fractions are, if it is far less than what is asked for: they are whole parts of it. One between 0 and
+/// 1 is so by chance, and two seldom.
+fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
+    let between = fractions.iter().filter(|f| **f > 0.0 && **f < 1.0);
+    if between.count() < 2 {
+        return None;
+    }
+    let is_of = |few: &u32| {
+        let count = |f: &f32| f * *few as f32;
+        let is_whole = |f: &f32| (count(f) - count(f).round()).abs() < 1e-3;
+        fractions.iter().all(is_whole)
+    };
+    (2..=samples / 8).find(is_of)
 }
 
 /// Moves a ball sideways until its border is beside the way from a point to the middle of a tiny light above the origin.

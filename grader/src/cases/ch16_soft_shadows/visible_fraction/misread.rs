@@ -1,10 +1,6 @@
-//! Fractions of a light that are seen, as students misread the question: each ball alone, balls of other radii, the light's other side, fewer
-//! samples.
+//! Fractions of a light that are seen, as students misread the question: each ball alone, balls of other radii, the light's other side.
 
-use super::fractions::exact;
 use crate::Graded;
-use rand::RngExt;
-use raybook::math::pcg;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 
 /// The fractions made of what each point sees past no ball, and past each of the balls alone.
@@ -30,17 +26,6 @@ pub(super) fn by_balls(q: &VisibleFraction, radius: fn(f32) -> f32) -> Vec<f32> 
             ball.radius = radius(ball.radius);
         }
     })
-}
-
-/// Estimates by the root of the number of samples, as someone's random numbers make them.
-pub(super) fn by_few(q: &VisibleFraction) -> Vec<f32> {
-    let rng = &mut pcg::stream(u64::from(q.corner.y.to_bits()), 16);
-    let samples = q.samples.isqrt().max(1);
-    let estimate = |f: &f32| {
-        let seen = (0..samples).filter(|_| rng.random::<f32>() < *f);
-        seen.count() as f32 / samples as f32
-    };
-    exact(q).iter().map(estimate).collect()
 }
 
 /// The question of the same light, which shines to the other side.

@@ -161,7 +161,6 @@ pub const BIASES: &[(&str, &[Bias])] = &[
             ("has places of the power 1.1 along a", |q, _| {
                 at_places(q, |u| dvec2(u.x.powf(1.1), u.y))
             }),
-            ("takes a half of the samples", |q, _| of_samples(q, 0.5)),
             ("takes a quarter of the samples", |q, _| of_samples(q, 0.25)),
             (
                 "is 3 % too large, by the same numbers each time",

@@ -94,6 +94,8 @@ pub enum By {
     Exit,
     /// Where the ray passes its middle.
     Middle,
+    /// Half way between where the ray enters it and where it leaves it.
+    Stay,
 }
 
 /// Which of several hits stays.
@@ -431,6 +433,9 @@ impl Search<'_> {
             match self.how.by {
                 By::Enter => RayBox::new(ray).enters(bounds, self.within),
                 By::Exit => slab::clip(bounds, ray, within).map(|inside| inside.max),
+                By::Stay => {
+                    slab::clip(bounds, ray, within).map(|inside| 0.5 * (inside.min + inside.max))
+                }
                 By::Middle => slab::clip(bounds, ray, within)
                     .map(|_| ray.direction.dot(bounds.center() - ray.origin)),
             }

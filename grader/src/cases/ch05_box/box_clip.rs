@@ -221,17 +221,7 @@ impl Graded for BoxClip {
         Mistake {
             name: "decides by the sign of the direction's x which plane comes first along all axes",
             hint: "A ray may go to the right and down: which plane of each axis does it meet first?",
-            answer: |q| {
-                let d = q.ray.direction;
-                let turned = |(axis, (near, far)): (usize, (f32, f32))| {
-                    if (d[axis] < 0.0) == (d.x < 0.0) {
-                        (near, far)
-                    } else {
-                        (far, near)
-                    }
-                };
-                overlap(q, crossed(q)?.into_iter().map(turned))
-            },
+            answer: |q| ordered_by(q, [0, 0, 0]),
         },
         Mistake {
             name: "takes the greatest corner for the box's size, and adds it to the least",
@@ -284,6 +274,21 @@ impl Graded for BoxClip {
                     .filter(|(axis, _)| begins_outside(*axis));
                 overlap(q, asked.map(|(_, part)| part))
             },
+        },
+        Mistake {
+            name: "orders z's planes by the sign of the direction's y, or y's by that of its z",
+            hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
+            answer: |q| ordered_by(q, [0, 1, 1]),
+        },
+        Mistake {
+            name: "orders y's planes by the sign of the direction's x, or x's by that of its y",
+            hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
+            answer: |q| ordered_by(q, [0, 0, 2]),
+        },
+        Mistake {
+            name: "orders z's planes by the sign of the direction's x, or x's by that of its z",
+            hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
+            answer: |q| ordered_by(q, [0, 1, 0]),
         },
     ];
 
@@ -389,4 +394,17 @@ fn of_last_axis(q: &BoxClip) -> Option<Interval> {
         last = (near, far);
     }
     finish(last.0.max(q.within.min), last.1.min(q.within.max))
+}
+
+/// Clips by three slabs, whose planes are ordered by the signs of these components of the direction.
+fn ordered_by(q: &BoxClip, signs: [usize; 3]) -> Option<Interval> {
+    let goes_down = |axis: usize| q.ray.direction[axis] < 0.0;
+    let ordered = |(axis, (near, far))| {
+        if goes_down(axis) == goes_down(signs[axis]) {
+            (near, far)
+        } else {
+            (far, near)
+        }
+    };
+    overlap(q, crossed(q)?.into_iter().map(ordered))
 }

@@ -259,6 +259,26 @@ impl Graded for TriangleHit {
                 is_inside.then_some(TriangleHitAnswer { b1, b2, ..hit })
             },
         },
+        Mistake {
+            name: "takes lengths of cross products for the weights, which are never negative, and so meets points outside",
+            hint: "Beyond an edge one of the weights is negative: can a length be?",
+            answer: |q| {
+                let TriangleHitAnswer { t, b1, b2 } =
+                    plane(q, |b1, b2| b1.abs() + b2.abs() <= 1.0)?;
+                let [b1, b2] = [b1.abs(), b2.abs()];
+                Some(TriangleHitAnswer { t, b1, b2 })
+            },
+        },
+        Mistake {
+            name: "takes lengths of cross products for the first weight and b1, and what they lack of 1 for b2",
+            hint: "Two points lie on both sides of the edge from p0 to p2, and as far from it: how do your weights tell which is inside?",
+            answer: |q| {
+                let hit = plane(q, |_, _| true)?;
+                let (b0, b1) = ((1.0 - hit.b1 - hit.b2).abs(), hit.b1.abs());
+                let b2 = 1.0 - b0 - b1;
+                (b2 >= 0.0).then_some(TriangleHitAnswer { b1, b2, ..hit })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

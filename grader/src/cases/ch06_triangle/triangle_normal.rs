@@ -1,7 +1,7 @@
 //! `triangle_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
-use glam::Vec3;
+use glam::{Vec3, Vec3Swizzles};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
 
@@ -110,9 +110,17 @@ impl Graded for TriangleNormal {
             answer: |q| Dir3::new((q.p1 - q.p0).cross(q.p2)).map(|n| *n),
         },
         Mistake {
-            name: "takes the second corner itself for the edge to it",
+            name: "takes the second corner itself for the edge to it, or leaves out one of the three cross products of neighbouring corners",
             hint: "An edge leads from one corner to another: where does yours to the second corner begin?",
             answer: |q| Dir3::new(q.p1.cross(q.p2 - q.p0)).map(|n| *n),
+        },
+        Mistake {
+            name: "leaves out the side from the last corner to the first in Newell's sum over the sides",
+            hint: "A triangle has three sides: how often does your loop go round, and from which corner to which does the last one lead?",
+            answer: |q| {
+                let newell = |a: Vec3, b: Vec3| (a - b).yzx() * (a + b).zxy();
+                Dir3::new(newell(q.p0, q.p1) + newell(q.p1, q.p2)).map(|n| *n)
+            },
         },
     ];
 }

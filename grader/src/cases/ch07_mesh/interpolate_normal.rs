@@ -131,6 +131,26 @@ impl Graded for InterpolateNormal {
             hint: "The three weights add up to 1: do yours at the second corner?",
             answer: |q| mix(q, 1.0 - q.b.x * q.b.y, q.b.x, q.b.y).normalize_or_zero(),
         },
+        Mistake {
+            name: "turns evenly (slerp) from the first normal by b1/(b0 + b1) to the second, and by b2 to the third",
+            hint: "Half way between two normals both ways are the same: a third of the way, does the weighted sum turn by a third of the angle?",
+            answer: |q| {
+                let rest = 1.0 - q.b.y;
+                let share = if rest > 0.0 { q.b.x / rest } else { 0.0 };
+                let first = q.n0.slerp(*q.n1, share);
+                first.slerp(*q.n2, q.b.y).normalize_or_zero()
+            },
+        },
+        Mistake {
+            name: "turns evenly (slerp) from the first normal by b1 + b2 to one between the second and the third",
+            hint: "Half way between two normals both ways are the same: a third of the way, does the weighted sum turn by a third of the angle?",
+            answer: |q| {
+                let rest = q.b.x + q.b.y;
+                let share = if rest > 0.0 { q.b.y / rest } else { 0.0 };
+                let across = q.n1.slerp(*q.n2, share);
+                q.n0.slerp(across, rest).normalize_or_zero()
+            },
+        },
     ];
 }
 

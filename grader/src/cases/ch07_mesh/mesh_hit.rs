@@ -161,8 +161,8 @@ impl Graded for MeshHit {
             },
         },
         Mistake {
-            name: "forgets the first triangle",
-            hint: "Where does your loop begin? Try a list of a single triangle.",
+            name: "forgets the first triangle, or takes its number 0 for none",
+            hint: "Where does your loop begin, and what does a condition make of the number 0? Try a list of a single triangle.",
             answer: |q| {
                 hits(q)
                     .filter(|hit| hit.id > 0)
@@ -295,6 +295,20 @@ impl Graded for MeshHit {
                 };
                 let ahead = hits(q).filter(is_ahead);
                 ahead.min_by(|a, b| a.t.total_cmp(&b.t))
+            },
+        },
+        Mistake {
+            name: "takes triangle 0 for no hit at all: the next hit replaces it, however far it is",
+            hint: "The first triangle is the nearest: which value of yours says that nothing is hit yet, and can a number have it?",
+            answer: |q| {
+                let nearer = |best: MeshHitAnswer, hit: MeshHitAnswer| {
+                    if best.id == 0 || hit.t < best.t {
+                        hit
+                    } else {
+                        best
+                    }
+                };
+                hits(q).reduce(nearer)
             },
         },
     ];

@@ -10,7 +10,8 @@ use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::R
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use walks::{
-    ADDING, Adding, added, ahead, beyond, by_distance, in_front, nearest, stuck, student, walked,
+    ADDING, Adding, added, ahead, beyond, by_distance, in_front, in_lattice, nearest, stuck,
+    student, walked, without_xy, without_xz, without_yz, z_before_y,
 };
 
 impl Graded for GridWalk {
@@ -398,13 +399,7 @@ impl Graded for GridWalk {
         Mistake {
             name: "crosses the farthest plane first, as far as the lattice reaches",
             hint: "The ray leaves the cell through the face that it meets first: is the distance to it the least or the greatest of the three?",
-            answer: |q| {
-                let clipped = slab::clip(&q.lattice().bounds(), &q.ray, q.within);
-                let mut inside = q.clone();
-                inside.within = clipped.unwrap_or(q.within);
-                let chosen = |next| by_distance(next).pop();
-                added(&inside, &Adding { chosen, ..ADDING })
-            },
+            answer: |q| in_lattice(q, |next| by_distance(next).pop()),
         },
         Mistake {
             name: "lets the last cell end where the ray leaves it, behind the interval's max",
@@ -418,18 +413,7 @@ impl Graded for GridWalk {
         Mistake {
             name: "compares x with y and y with z, but never x with z",
             hint: "The next planes are at 3 along x, at 4 along y and at 2 along z: which axis do your conditions choose?",
-            answer: |q| {
-                student(q, start, in_front, |[x, y, z]| {
-                    let axis = if x < y {
-                        0
-                    } else if y < z {
-                        1
-                    } else {
-                        2
-                    };
-                    vec![axis]
-                })
-            },
+            answer: |q| student(q, start, in_front, |next| vec![without_xz(next)]),
         },
         Mistake {
             name: "begins one cell behind the last one where the ray enters through a face at the far end of an axis",
@@ -469,6 +453,41 @@ impl Graded for GridWalk {
                 let is_late = true;
                 added(q, &Adding { is_late, ..ADDING })
             },
+        },
+        Mistake {
+            name: "compares x with y and x with z, but never y with z",
+            hint: "The next planes are at 3 along x, at 1 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| student(q, start, in_front, |next| vec![without_yz(next)]),
+        },
+        Mistake {
+            name: "compares x with y and x with z, but never y with z, as far as the lattice reaches",
+            hint: "The next planes are at 3 along x, at 1 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| in_lattice(q, |next| Some(without_yz(next))),
+        },
+        Mistake {
+            name: "takes z wherever it comes before y, also where x comes first",
+            hint: "The next planes are at 1 along x, at 3 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| student(q, start, in_front, |next| vec![z_before_y(next)]),
+        },
+        Mistake {
+            name: "takes z wherever it comes before y, also where x comes first, as far as the lattice reaches",
+            hint: "The next planes are at 1 along x, at 3 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| in_lattice(q, |next| Some(z_before_y(next))),
+        },
+        Mistake {
+            name: "compares x with z and y with z, but never x with y",
+            hint: "The next planes are at 2 along x, at 1 along y and at 3 along z: which axis do your conditions choose?",
+            answer: |q| student(q, start, in_front, |next| vec![without_xy(next)]),
+        },
+        Mistake {
+            name: "compares x with z and y with z, but never x with y, as far as the lattice reaches",
+            hint: "The next planes are at 2 along x, at 1 along y and at 3 along z: which axis do your conditions choose?",
+            answer: |q| in_lattice(q, |next| Some(without_xy(next))),
+        },
+        Mistake {
+            name: "compares x with y and y with z, but never x with z, as far as the lattice reaches",
+            hint: "The next planes are at 3 along x, at 4 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| in_lattice(q, |next| Some(without_xz(next))),
         },
     ];
 

@@ -1,7 +1,7 @@
 //! `voxels_of_triangle`: random questions, judge and mistakes.
 
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
-use glam::{UVec3, Vec3, uvec3, vec3};
+use glam::{UVec3, Vec3, Vec3Swizzles, uvec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::{self, range, triangle_meets_box};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, slab};
@@ -315,6 +315,56 @@ impl Graded for VoxelsOfTriangle {
                 })
             },
         },
+        Mistake {
+            name: "ends each row of the lattice along x at the first cell that the triangle does not reach",
+            hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
+            answer: |q| in_rows(q, whole(q), 0),
+        },
+        Mistake {
+            name: "ends each row of the lattice along y at the first cell that the triangle does not reach",
+            hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
+            answer: |q| in_rows(q, whole(q), 1),
+        },
+        Mistake {
+            name: "ends each row of the lattice along z at the first cell that the triangle does not reach",
+            hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
+            answer: |q| in_rows(q, whole(q), 2),
+        },
+        Mistake {
+            name: "goes through the lattice along x first, and ends at the first cell that the triangle does not reach",
+            hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
+            answer: |q| up_to_a_miss(q, along_x(whole(q)), |_| UVec3::ZERO),
+        },
+        Mistake {
+            name: "goes through the lattice along z first, and ends at the first cell that the triangle does not reach",
+            hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
+            answer: |q| up_to_a_miss(q, along_z(whole(q)), |_| UVec3::ZERO),
+        },
+        Mistake {
+            name: "ends each row of the bounding box along x at the first cell that the triangle does not reach",
+            hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
+            answer: |q| in_rows(q, around(q), 0),
+        },
+        Mistake {
+            name: "ends each row of the bounding box along y at the first cell that the triangle does not reach",
+            hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
+            answer: |q| in_rows(q, around(q), 1),
+        },
+        Mistake {
+            name: "ends each row of the bounding box along z at the first cell that the triangle does not reach",
+            hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
+            answer: |q| in_rows(q, around(q), 2),
+        },
+        Mistake {
+            name: "goes through the bounding box along x first, and ends at the first cell that the triangle does not reach",
+            hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
+            answer: |q| up_to_a_miss(q, along_x(around(q)), |_| UVec3::ZERO),
+        },
+        Mistake {
+            name: "goes through the bounding box along z first, and ends at the first cell that the triangle does not reach",
+            hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
+            answer: |q| up_to_a_miss(q, along_z(around(q)), |_| UVec3::ZERO),
+        },
     ];
 }
 
@@ -340,6 +390,58 @@ fn of_lattice(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> V
         .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
         .map(Cell::from)
         .collect()
+}
+
+/// The first and the last cell of the lattice.
+fn whole(q: &VoxelsOfTriangle) -> [UVec3; 2] {
+    [UVec3::ZERO, q.lattice().resolution - 1]
+}
+
+/// The first and the last cell that the triangle's bounding box meets, along each axis.
+fn around(q: &VoxelsOfTriangle) -> [UVec3; 2] {
+    let bounds = Aabb::of([q.p0, q.p1, q.p2]).grown(q.margin);
+    q.lattice().cells_of(&bounds).into()
+}
+
+/// The cells from the first to the last, along x first.
+fn along_x([first, last]: [UVec3; 2]) -> impl Iterator<Item = UVec3> {
+    range(first, last)
+}
+
+/// The same, along z first.
+fn along_z(ends: [UVec3; 2]) -> impl Iterator<Item = UVec3> {
+    along_x(ends.map(UVec3::zyx)).map(UVec3::zyx)
+}
+
+/// The cells that meet the triangle, but for those behind a cell that does not, in the same row along an axis.
+fn in_rows(q: &VoxelsOfTriangle, ends: [UVec3; 2], axis: usize) -> Vec<Cell> {
+    up_to_a_miss(q, along_x(ends), |mut row| {
+        row[axis] = 0;
+        row
+    })
+}
+
+/// The cells that meet the triangle, but for those that come after a cell that does not, in the same loop: each has a number.
+fn up_to_a_miss(
+    q: &VoxelsOfTriangle,
+    cells: impl Iterator<Item = UVec3>,
+    in_loop: impl Fn(UVec3) -> UVec3,
+) -> Vec<Cell> {
+    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
+    let mut ended = Vec::new();
+    let is_found = |cell: &UVec3| {
+        let own = in_loop(*cell);
+        if ended.contains(&own) {
+            return false;
+        }
+        let bounds = lattice.bounds_of(*cell, *cell).grown(q.margin);
+        let meets = triangle_meets_box(&corners, &bounds);
+        if !meets {
+            ended.push(own);
+        }
+        meets
+    };
+    cells.filter(is_found).map(Cell::from).collect()
 }
 
 /// Whether the plane in which a triangle lies cuts a box.

@@ -4,7 +4,7 @@ mod builders;
 
 use super::octree_tree::{cost, leaves, shared, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
-use builders::{built, by, name_all, sum, with_limit};
+use builders::{built, by, depth_first, name_all, sum, with_limit};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
@@ -512,6 +512,40 @@ impl Graded for OctreeBuild {
             name: "divides what is left of the limit on copies by eight, for the eight children",
             hint: "The limit is one on copies of each shape, on average: must a child with half of the shapes make an eighth of them?",
             answer: |q| with_limit(q, |copies, made| copies / made.max(1.0) / 8.0),
+        },
+        Mistake {
+            name: "allows each cell as many copies as the whole tree, and hands the limit on unchanged",
+            hint: "The limit is for each shape: by how many shapes do you multiply it in a small cell, and what has the cut above it used up?",
+            answer: |q| {
+                let mut of_all = q.clone();
+                of_all.copies *= q.shapes.len() as f32;
+                by(&of_all, |rule| {
+                    rule.allowed = |copies, _| copies;
+                    rule.left = |copies, _| copies;
+                })
+            },
+        },
+        Mistake {
+            name: "numbers the nodes depth first, so that a node's second child comes after all below its first",
+            hint: "A node's eight children stand in a row: how long is the list of nodes when you append the second of them, if the first has children?",
+            answer: |q| {
+                let mut made = TreeRow {
+                    nodes: Vec::new(),
+                    names: Vec::new(),
+                };
+                depth_first(&by(q, |_| {}), 0, &mut made);
+                made
+            },
+        },
+        Mistake {
+            name: "divides what is left of the limit on copies after each child, so that the first gets all of it",
+            hint: "Print the limit that each of the eight children gets: are they the same?",
+            answer: |q| by(q, |rule| rule.times = |child| [1, child]),
+        },
+        Mistake {
+            name: "takes a level off the depth again for each child, in the loop over the children",
+            hint: "Print the depth that is left for each of the eight children: are they the same?",
+            answer: |q| by(q, |rule| rule.times = |child| [child + 1, 1]),
         },
     ];
 }

@@ -419,6 +419,36 @@ impl Graded for OctreeWalk {
                 leaves
             },
         },
+        Mistake {
+            name: "visits the children from 0 to 7, or backwards where the sum of the direction's components is negative",
+            hint: "A ray that goes up quickly and a little to the left: in which order does it meet the children along x, and along y?",
+            answer: |q| ordered(q, |d| if d.iter().sum::<f32>() < 0.0 { 7 } else { 0 }),
+        },
+        Mistake {
+            name: "visits the children from 0 to 7, or backwards where the direction's x is negative",
+            hint: "A ray goes up along one axis and down along another: in which order does it meet the children along each of them?",
+            answer: |q| ordered(q, |d| if d[0] < 0.0 { 7 } else { 0 }),
+        },
+        Mistake {
+            name: "visits the children from 0 to 7, or backwards where the direction's y is negative",
+            hint: "A ray goes up along one axis and down along another: in which order does it meet the children along each of them?",
+            answer: |q| ordered(q, |d| if d[1] < 0.0 { 7 } else { 0 }),
+        },
+        Mistake {
+            name: "visits the children from 0 to 7, or backwards where the direction's z is negative",
+            hint: "A ray goes up along one axis and down along another: in which order does it meet the children along each of them?",
+            answer: |q| ordered(q, |d| if d[2] < 0.0 { 7 } else { 0 }),
+        },
+        Mistake {
+            name: "visits the children from 0 to 7, or backwards where the direction's largest component is negative",
+            hint: "A ray goes up along one axis and down along another: in which order does it meet the children along each of them?",
+            answer: |q| {
+                ordered(q, |d| {
+                    let axis = Vec3::from(d).abs().max_position();
+                    if d[axis] < 0.0 { 7 } else { 0 }
+                })
+            },
+        },
     ];
 }
 

@@ -174,6 +174,38 @@ pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswe
     tree
 }
 
+/// The same tree with its nodes depth first, each branch with the number of its first child, 0, or of its second, 1.
+pub(super) fn depth_first(tree: &BvhBuildAnswer, child: usize) -> BvhBuildAnswer {
+    let mut made = BvhBuildAnswer {
+        nodes: Vec::new(),
+        order: Vec::new(),
+    };
+    // The root of nothing is no branch, although it has no boxes.
+    if !tree.order.is_empty() {
+        append(tree, 0, child, &mut made);
+    }
+    made
+}
+
+/// Appends a node and all below it.
+fn append(tree: &BvhBuildAnswer, node: usize, child: usize, made: &mut BvhBuildAnswer) {
+    let row = &tree.nodes[node];
+    let (first, count) = (row.first as usize, row.count as usize);
+    let own = made.nodes.len();
+    made.nodes.push(row.clone());
+    if count > 0 {
+        made.nodes[own].first = made.order.len() as u32;
+        made.order.extend(&tree.order[first..first + count]);
+        return;
+    }
+    for below in 0..2 {
+        if below == child {
+            made.nodes[own].first = made.nodes.len() as u32;
+        }
+        append(tree, first + below, child, made);
+    }
+}
+
 /// The area of the box around some boxes.
 fn area_around(q: &BvhBuild, which: &[u32]) -> f32 {
     let Aabb { min, max } = around(&q.boxes, which);

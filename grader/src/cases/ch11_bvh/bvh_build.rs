@@ -3,9 +3,9 @@
 use super::builders::{
     ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
     BY_EXTENTS, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT, CHEAPER_THAN_TWO,
-    FITS, IN_TURN, SINGLE, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, one_leaf,
+    FITS, IN_TURN, SINGLE, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, depth_first, one_leaf,
 };
-use super::bvh_tree::{tree_cost, wrong_choice};
+use super::bvh_tree::{apart, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
 use super::{center, crowd, cube, heaps, no_dearer, tree};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
@@ -18,6 +18,13 @@ use std::cmp::Ordering;
 
 /// Of fewer boxes than these a tree may be dearer by chance.
 const FEW: usize = 100;
+
+/// What a function does whose nodes stand depth first, whatever tree they make.
+const SECOND_CHILD: &str =
+    "numbers the nodes depth first, and gives a branch the number of its second child";
+
+/// The same, if a branch has the number of its other child.
+const FIRST_CHILD: &str = "numbers the nodes depth first, so that a branch's second child comes after all below its first";
 
 /// How much more than the reference's the tree of this number of boxes may cost: neither is the best, and the fewer boxes there
 /// are, the more does it matter which cut is taken first. Cuts at one of eight places, or along the longest axis only, cost up to
@@ -54,7 +61,8 @@ impl Graded for BvhBuild {
     }
 
     fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
-        let (cost, least) = (tree_cost(q, got)?, tree_cost(q, golden)?);
+        let cost = tree_cost(q, got).map_err(|why| apart(&got.nodes).unwrap_or(why))?;
+        let least = tree_cost(q, golden)?;
         let is_dearer = no_dearer("the tree", cost, least, dearer(q.boxes.len()));
         is_dearer.or_else(|why| {
             // The cheapest cut of every node may make a dearer tree than the reference's, of few boxes only.
@@ -149,6 +157,16 @@ impl Graded for BvhBuild {
             complaint: "there is no node",
             name: "makes no node where there must be one",
             hint: "How many nodes does a tree of one box have?",
+        },
+        Flaw {
+            complaint: "the number of its second child",
+            name: SECOND_CHILD,
+            hint: "A search finds both children of a branch at its `first`, side by side: which two nodes stand there in your list?",
+        },
+        Flaw {
+            complaint: "the number of its first child",
+            name: FIRST_CHILD,
+            hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
         },
         Flaw {
             complaint: "which is not there",
@@ -397,6 +415,16 @@ impl Graded for BvhBuild {
             name: "cuts the row in the middle, along x, y and z in turn, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: what does your rule know of areas?",
             answer: |q| built(q, IN_TURN, FITS),
+        },
+        Mistake {
+            name: SECOND_CHILD,
+            hint: "A search finds both children of a branch at its `first`, side by side: which two nodes stand there in your list?",
+            answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 1),
+        },
+        Mistake {
+            name: FIRST_CHILD,
+            hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
+            answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 0),
         },
     ];
 }

@@ -292,6 +292,11 @@ impl Graded for BvhClosest {
             hint: "A large box may begin near, and its middle be far away: can the nearest hit be in it? By which distance do you choose, and stop?",
             answer: |q| search(q, |how| how.by = By::Middle),
         },
+        Mistake {
+            name: "goes by the middle of the ray's stay in the boxes, not by where it enters them",
+            hint: "A large box may begin near and end far away: can the nearest hit be at its beginning? By which distance do you choose, and stop?",
+            answer: |q| search(q, |how| how.by = By::Stay),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -5,7 +5,7 @@ use super::sah_split::cuts;
 use super::{area, around, center};
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
-use raybook_workbook::tree_rows::BoxRow;
+use raybook_workbook::tree_rows::{BoxRow, NodeRow};
 
 /// Whether a box holds another, which may stand out by `slack` on each side, in metres; a NaN is outside.
 fn holds(whole: &Aabb, part: &Aabb, slack: f32) -> bool {
@@ -103,6 +103,37 @@ pub(super) fn tree_cost(q: &BvhBuild, tree: &BvhBuildAnswer) -> Result<f32, Stri
             .first()
             .map_or(1.0, node_area)
             .max(f32::MIN_POSITIVE))
+}
+
+/// What is wrong if the nodes stand depth first, and so the children of some branch not where a search finds them.
+pub(super) fn apart(nodes: &[NodeRow]) -> Option<String> {
+    let child = (0..2).find(|child| are_apart(nodes, *child))?;
+    let which = ["first", "second"][child];
+    Some(format!(
+        "the nodes stand depth first, and each branch has the number of its {which} child: its two children must be side by side, from its `first`"
+    ))
+}
+
+/// Whether the nodes stand depth first, each branch has the number of its first child, 0, or of its second, 1, and the children of
+/// some branch are not the two nodes from there.
+fn are_apart(nodes: &[NodeRow], child: usize) -> bool {
+    // From the last node to the first: all that have no branch yet, that with the least number last.
+    let mut open = Vec::new();
+    let mut apart = false;
+    for (at, node) in nodes.iter().enumerate().rev() {
+        if node.count == 0 {
+            let (Some(one), Some(other)) = (open.pop(), open.pop()) else {
+                return false;
+            };
+            let first = node.first as usize;
+            if first != [one, other][child] {
+                return false;
+            }
+            apart |= first != one || first + 1 != other;
+        }
+        open.push(at);
+    }
+    apart && open == [0]
 }
 
 /// The first choice in a tree that costs more than it need: of a leaf, or of a cut.

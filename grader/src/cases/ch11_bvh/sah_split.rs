@@ -86,6 +86,25 @@ fn cheapest(q: &SahSplit, mut cost: impl FnMut(usize, &[u32], &[u32]) -> f32) ->
     best.map_or(Vec::new(), |(_, left)| left)
 }
 
+/// As many boxes as are on the left of the cheapest cut, of a row that is sorted again along each axis: in the order of the last.
+fn sorted_again(q: &SahSplit) -> Vec<u32> {
+    let mut row: Vec<_> = (0..q.boxes.len() as u32).collect();
+    let mut best = (f32::INFINITY, 1);
+    for axis in 0..3 {
+        let place = |i: &u32| center(&q.boxes[*i as usize])[axis];
+        row.sort_by(|a, b| place(a).total_cmp(&place(b)));
+        for at in 1..row.len() {
+            let (left, right) = row.split_at(at);
+            let cost = sah_of(q, left) + sah_of(q, right);
+            if cost < best.0 {
+                best = (cost, at);
+            }
+        }
+    }
+    row.truncate(best.1);
+    row
+}
+
 /// What a side costs.
 fn sah_of(q: &SahSplit, side: &[u32]) -> f32 {
     let (bounds, count) = whole(q, side);
@@ -561,6 +580,22 @@ impl Graded for SahSplit {
                         f32::INFINITY
                     }
                 })
+            },
+        },
+        Mistake {
+            name: "sorts one row again along each axis, and returns its first boxes in the order of the last",
+            hint: "The row was sorted along other axes after the cheapest cut was found: which boxes are at its left end when you return them?",
+            answer: sorted_again,
+        },
+        Mistake {
+            name: "forgets the axis of the cheapest cut, and returns the first boxes in the order along x",
+            hint: "The cheapest cut may be one along z: along which axis is the row sorted when you take its first boxes?",
+            answer: |q| {
+                let left = split(q, |_| {}).len();
+                let mut along_x = cuts(&q.boxes, center).into_iter();
+                along_x
+                    .next()
+                    .map_or(Vec::new(), |(_, sides)| sides.concat()[..left].to_vec())
             },
         },
     ];

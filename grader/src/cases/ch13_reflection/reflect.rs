@@ -144,6 +144,18 @@ impl Graded for Reflect {
                 turned
             },
         },
+        Mistake {
+            name: "turns the arriving direction round together with the normal, where the normal points along it",
+            hint: "A mirror has two sides: if you turn the normal to the side from which the ray comes, does the ray come from elsewhere?",
+            answer: |q| {
+                let right = Reflect::right(q);
+                if q.incoming.dot(*q.normal) > 0.0 {
+                    -right
+                } else {
+                    right
+                }
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -378,5 +378,26 @@ impl Graded for Lit {
                 u32::from(!q.spheres.iter().any(is_hiding))
             },
         },
+        Mistake {
+            name: "compares the tangent of the angle to a sphere's middle with its radius over its distance, not the sine",
+            hint: "A ray that just touches a sphere, its middle and the touched point make a triangle: where is its right angle?",
+            answer: |q| {
+                let way = shadow(q);
+                let is_hiding = |ball: &Ball| {
+                    let to = ball.center - way.origin;
+                    let (away, foot) = (to.length(), to.dot(*q.toward));
+                    let end = way.within.max;
+                    if away < ball.radius {
+                        return true;
+                    }
+                    if foot > end {
+                        return (to - end * *q.toward).length() < ball.radius;
+                    }
+                    let aside = (away * away - foot * foot).max(0.0).sqrt();
+                    foot > 0.0 && aside / foot < ball.radius / away
+                };
+                u32::from(!q.spheres.iter().any(is_hiding))
+            },
+        },
     ];
 }

@@ -13,6 +13,10 @@ const ALONG: &str = "moves the start along the ray, not along the normal";
 const ALONG_HINT: &str =
     "A lamp just above the horizon: how far above the surface does your ray start?";
 
+/// What leads to a step along one axis of the world.
+const ONE_AXIS_HINT: &str =
+    "A surface askew to all axes: how far off it does a step along one of them lead?";
+
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     let right = ShadowRay::right(q);
@@ -122,6 +126,11 @@ impl Graded for ShadowRay {
             complaint: "along its way",
             name: ALONG,
             hint: ALONG_HINT,
+        },
+        Flaw {
+            complaint: "along one axis of the world",
+            name: "steps along one axis of the world only, which is not far enough off the surface",
+            hint: ONE_AXIS_HINT,
         },
         Flaw {
             complaint: "starts nowhere",
@@ -373,6 +382,17 @@ impl Graded for ShadowRay {
             name: "ends the interval a fixed millimetre before the light's distance from the point",
             hint: "Your ray begins off the point: how far is the light from where it begins? And is a millimetre much on a grain of sand, and on a planet?",
             answer: |q| ending(q, q.distance - 1e-3),
+        },
+        Mistake {
+            name: "steps along the axis that is nearest to the normal, not along the normal",
+            hint: ONE_AXIS_HINT,
+            answer: |q| {
+                let axis = q.normal.abs().max_position();
+                let side = q.normal[axis] * q.normal.dot(*q.toward);
+                let mut origin = q.position;
+                origin[axis] += (2.0 * q.error).copysign(side);
+                starting(q, origin, 0.0)
+            },
         },
     ];
 }

@@ -28,15 +28,24 @@ pub(super) fn aimed_anew(q: &ShadowRay, got: &Way) -> Option<()> {
     judge::direction("the ray", toward.as_vec3(), got.direction).ok()
 }
 
-/// Whether a step from the point goes to the light, and not along the normal.
-fn is_along(step: DVec3, q: &ShadowRay) -> bool {
+/// Where a step from the point goes that is not along the normal, but to the light or along an axis, on the light's side.
+fn beside_the_normal(step: DVec3, q: &ShadowRay) -> Option<&'static str> {
     /// What rounding leaves, as a share of the step's length.
     const NONE: f64 = 1e-3;
     /// What is another direction.
     const SOME: f64 = 1e-2;
     let [toward, normal] = [q.toward, q.normal].map(|d| d.as_dvec3());
     let beside = |d: DVec3| step.cross(d).length() / step.length();
-    step.dot(toward) > 0.0 && beside(toward) < NONE && beside(normal) > SOME
+    let is_on_lights_side = step.dot(normal) * toward.dot(normal) > 0.0;
+    if beside(normal) <= SOME || !is_on_lights_side {
+        None
+    } else if beside(toward) < NONE {
+        Some("along its way")
+    } else if DVec3::AXES.iter().any(|axis| beside(*axis) < NONE) {
+        Some("away along one axis of the world")
+    } else {
+        None
+    }
 }
 
 /// The start is on the light's side of all places where the surface may be, and not much farther.
@@ -56,9 +65,12 @@ pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
             "the interval begins {} m behind the ray's origin, where it may find its own surface again",
             -got.within.min
         ))
-    } else if off < ROUNDED * needed && got.within.min >= 0.0 && is_along(origin, q) {
+    } else if off < ROUNDED * needed
+        && got.within.min >= 0.0
+        && let Some(aside) = beside_the_normal(origin, q)
+    {
         Err(format!(
-            "the ray starts {:.4} m along its way: that is {off:.4} m off the surface, and {needed:.4} m are needed",
+            "the ray starts {:.4} m {aside}: that is {off:.4} m off the surface, and {needed:.4} m are needed",
             origin.length()
         ))
     } else if off < ROUNDED * needed {

@@ -523,6 +523,22 @@ impl Graded for SampleSphereLight {
                 }
             },
         },
+        Mistake {
+            name: "makes sin²θ uniform in the place of cos θ",
+            hint: "What is the area of a cap of height h on the unit sphere? How many of your samples are in the upper half of the cone's cap?",
+            answer: |q| {
+                cone(q, |u, cap| {
+                    let squared = u.x * cap * (2.0 - cap);
+                    // From inside, where the sine says nothing, cos θ is uniform.
+                    let height = if cap < 2.0 {
+                        squared / (1.0 + (1.0 - squared).sqrt())
+                    } else {
+                        u.x * cap
+                    };
+                    (height, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
     ];
 }
 

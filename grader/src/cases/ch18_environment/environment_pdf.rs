@@ -61,6 +61,17 @@ fn by_sines(q: &EnvironmentPdf, place: f64) -> f32 {
     }
 }
 
+/// The density by the sine at the direction.
+fn by_own_sine(q: &EnvironmentPdf) -> f32 {
+    let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
+    let on_map = q.share().0 * f64::from(q.width * q.height);
+    (on_map / (2.0 * PI * PI * sine)) as f32
+}
+
+fn is_at_pole(q: &EnvironmentPdf) -> bool {
+    q.direction.x == 0.0 && q.direction.z == 0.0
+}
+
 /// The radiance at a place of the map, in between that of the four nearest texels' middles: columns go round, rows end.
 fn between(map: &SampleEnvironment, place: Vec2) -> f64 {
     let at = place * vec2(map.width as f32, map.height as f32) - 0.5;
@@ -152,11 +163,7 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "takes the sine at the direction for the whole texel",
             hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
-            answer: |q| {
-                let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
-                let on_map = q.share().0 * f64::from(q.width * q.height);
-                (on_map / (2.0 * PI * PI * sine)) as f32
-            },
+            answer: by_own_sine,
         },
         Mistake {
             name: "multiplies by the sine at the direction once more",
@@ -476,6 +483,16 @@ impl Graded for EnvironmentPdf {
                 let (right, down) = q.texel();
                 neighbour(q, x as i32 - right as i32, y as i32 - down as i32)
             },
+        },
+        Mistake {
+            name: "takes the sine at the direction for the whole texel, and returns 0 at the poles",
+            hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel, and why should it be 0 straight up?",
+            answer: |q| if is_at_pole(q) { 0.0 } else { by_own_sine(q) },
+        },
+        Mistake {
+            name: "returns 0 at the poles",
+            hint: "Straight up is a direction as any other: how large is the solid angle of a texel that touches the pole?",
+            answer: |q| if is_at_pole(q) { 0.0 } else { Self::right(q) },
         },
     ];
 

@@ -56,10 +56,10 @@ fn by_angle(top: f64, bottom: f64, within: f64) -> f64 {
     (top.acos() + (bottom.acos() - top.acos()) * within).cos()
 }
 
-/// The sine of the angle from +y at a place in a row, from 0 at its upper edge to 1 at its lower one; a little above 0, so that it can be chosen.
+/// The sine of the angle from +y at a place in a row, from 0 at its upper edge to 1 at its lower one.
 fn sine(q: &SampleEnvironment, row: usize, place: f64) -> f64 {
     let angle = std::f64::consts::PI * (row as f64 + place) / f64::from(q.height);
-    angle.sin().abs() + 1e-9
+    angle.sin().abs()
 }
 
 /// A column and a row, and the shares of the way to the right and of the area downwards in that texel.
@@ -443,6 +443,11 @@ impl Graded for SampleEnvironment {
             name: "weighs by the sine at a row's upper edge",
             hint: "How large is the solid angle of your first row?",
             answer: |q| q.sampled(|q, x, y| q.texel(x, y) * sine(q, y, 0.0), by_solid_angle),
+        },
+        Mistake {
+            name: "weighs by the sine at a row's lower edge",
+            hint: "How large is the solid angle of your last row?",
+            answer: |q| q.sampled(|q, x, y| q.texel(x, y) * sine(q, y, 1.0), by_solid_angle),
         },
         Mistake {
             name: "weighs by the cosine of the angle from +y in the place of its sine",

@@ -189,5 +189,16 @@ impl Graded for CircleOfConfusion {
             hint: "Does the opening of the lens change when you focus?",
             answer: |q| Self::right(q) * q.lens().film_distance() / q.focal_length,
         },
+        Mistake {
+            name: "takes f/s for the magnification of a star's disc, as if the film were at the focal length",
+            hint: "A star and a very distant lamp make nearly the same disc: do yours?",
+            answer: |q| {
+                if q.distance.is_infinite() {
+                    q.lens().aperture() * q.focal_length / q.focus
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
     ];
 }

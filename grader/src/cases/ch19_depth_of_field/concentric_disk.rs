@@ -41,6 +41,11 @@ fn by_angle(u: Vec2) -> Vec2 {
     u.x.max(0.0).sqrt() * Vec2::from_angle(TAU * u.y)
 }
 
+/// Half the length of the chord of the unit disc at this distance from its middle.
+fn half_chord(distance: f32) -> f32 {
+    (1.0 - distance * distance).max(0.0).sqrt()
+}
+
 /// Radius and angle of the concentric map for (a, b) = 2u − 1.
 fn by_sides(a: f32, b: f32) -> (f32, f32) {
     if a.abs() > b.abs() {
@@ -126,7 +131,7 @@ impl Graded for ConcentricDisk {
     ///
     /// The bounds are errors of the lattice, not of chance. Measured for 300 questions and eight right methods (the
     /// concentric map, turned and mirrored, and r = √u with either number first, from either end): at most 0.028. The nearest
-    /// mistake, which bends the sides into arcs, is 0.084 off in a share. Fewer points than ENOUGH may be off by more.
+    /// mistake, the map by arcs of ellipses, is 0.084 off in a share. Fewer points than ENOUGH may be off by more.
     fn judge(q: &ConcentricDisk, _golden: &Vec<Vec2>, got: &Vec<Vec2>) -> Verdict {
         const BOUND: f32 = 0.05;
         let n = q.n as usize;
@@ -296,7 +301,7 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
-            name: "bends the square's sides into arcs",
+            name: "bends the square's rows and columns into arcs of ellipses, which does not keep areas",
             hint: "It is a disc, but count your points near its middle, and near its edge.",
             answer: |q| {
                 mapped(q, |u| {
@@ -507,6 +512,36 @@ impl Graded for ConcentricDisk {
                     } else {
                         b * Vec2::from_angle(FRAC_PI_2 - FRAC_PI_4 * quotient(a, b))
                     }
+                })
+            },
+        },
+        Mistake {
+            name: "chooses x evenly, and y evenly on the chord of the disc there",
+            hint: "At the left and the right of the disc a chord is short: does it hold as many of your points as one through the middle?",
+            answer: |q| {
+                mapped(q, |u| {
+                    let p = 2.0 * u - 1.0;
+                    vec2(p.x, p.y * half_chord(p.x))
+                })
+            },
+        },
+        Mistake {
+            name: "chooses y evenly, and x evenly on the chord of the disc there",
+            hint: "At the top and the bottom of the disc a chord is short: does it hold as many of your points as one through the middle?",
+            answer: |q| {
+                mapped(q, |u| {
+                    let p = 2.0 * u - 1.0;
+                    vec2(p.x * half_chord(p.y), p.y)
+                })
+            },
+        },
+        Mistake {
+            name: "makes circles of squircles along straight lines, which does not keep areas",
+            hint: "It is a disc, but count your points near its middle, and near its edge.",
+            answer: |q| {
+                mapped(q, |u| {
+                    let p = 2.0 * u - 1.0;
+                    p.x.hypot(p.y * half_chord(p.x)) * p.normalize_or_zero()
                 })
             },
         },

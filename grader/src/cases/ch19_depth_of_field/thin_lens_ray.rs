@@ -251,6 +251,21 @@ impl Graded for ThinLensRay {
                 })
             },
         },
+        Mistake {
+            name: "takes the point of the lens for one of the unit square, and stretches that square from −1 to 1",
+            hint: "`on_lens` is in the unit disc: where do your rays start for (0, 0), and for (1, 0)?",
+            answer: |q| Self::misread(q, |q| q.on_lens = 2.0 * q.on_lens - 1.0),
+        },
+        Mistake {
+            name: "takes (½, ½) for the middle of the lens",
+            hint: "`on_lens` is in the unit disc: where do your rays start for (0, 0), and for (1, 0)?",
+            answer: |q| Self::misread(q, |q| q.on_lens -= 0.5),
+        },
+        Mistake {
+            name: "maps the point of the lens to the unit disc once more, by the concentric map",
+            hint: "`on_lens` is in the unit disc already: where do your rays start for (0, 0), and for (1, 0)?",
+            answer: |q| Self::misread(q, |q| q.on_lens = concentric_disk(q.on_lens)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

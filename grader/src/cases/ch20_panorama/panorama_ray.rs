@@ -171,6 +171,16 @@ impl Graded for PanoramaRay {
             hint: "Which of the two angles goes once around, and which only from the sky to the ground?",
             answer: |q| along(q, PI * (q.film.x - 0.5), TAU * q.film.y - 0.5 * PI),
         },
+        Mistake {
+            name: "tilts the view towards up first, and turns it sideways afterwards, so that the sides are not tilted",
+            hint: "Look to your right and up: does right, too, move towards up? Which of the two turns comes first?",
+            answer: |q| {
+                let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
+                let height = PI * (0.5 - q.film.y);
+                let tilted = height.cos() * *q.forward + height.sin() * *q.up;
+                ray(q, cos * tilted + sin * *q.right)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

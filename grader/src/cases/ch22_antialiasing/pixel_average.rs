@@ -402,5 +402,16 @@ impl Graded for PixelAverage {
                 nearest.map_or(Rgb::BLACK, |s| s.radiance)
             },
         },
+        Mistake {
+            name: "moves a running average by each sample's whole weight, not by its share of all weights so far",
+            hint: "Two samples in the same place: by which part does the second move the average of the first?",
+            answer: |q| {
+                let toward = |average: Rgb, s: &Seen| {
+                    let weight = tent(q, s.offset);
+                    average * (1.0 - weight) + s.radiance * weight
+                };
+                q.samples.iter().fold(Rgb::BLACK, toward)
+            },
+        },
     ];
 }

@@ -472,6 +472,11 @@ impl Graded for NeedsMore {
                 decide(q, contrast, standard_error(q))
             },
         },
+        Mistake {
+            name: "squares the difference from the mean before in a running variance, and does not multiply it by that from the mean after",
+            hint: "Two samples, 0 and 1: what is their variance, and what does your recurrence make of it?",
+            answer: running,
+        },
     ];
 }
 
@@ -519,4 +524,20 @@ fn by_weights(q: &NeedsMore, [r, g, b]: [f32; 3]) -> u32 {
         ..q.clone()
     };
     decide(q, too_contrasty(q, ratio), standard_error(&gray))
+}
+
+/// The answer by a running variance, which adds the square of each luminance's difference from the mean of those before. Right is its product with
+/// the difference from the mean with it (Welford 1962).
+fn running(q: &NeedsMore) -> u32 {
+    let (mut mean, mut squares) = (0.0, 0.0);
+    for (i, sample) in q.samples.iter().enumerate() {
+        let luminance = sample.luminance();
+        let before = luminance - mean;
+        mean += before / (i + 1) as f32;
+        if i > 0 {
+            squares += before * before;
+        }
+    }
+    let n = q.samples.len() as f32;
+    decide(q, too_contrasty(q, ratio), (squares / (n - 1.0) / n).sqrt())
 }

@@ -336,6 +336,16 @@ impl Graded for WideClosest {
             hint: "The child on top of the stack begins behind the hit: do all others on the stack, too?",
             answer: |q| search(q, |how| how.ends_behind = true),
         },
+        Mistake {
+            name: "goes by the middle of the ray's stay in the boxes, not by where it enters them",
+            hint: "A large box may begin near and end far away: can the nearest hit be at its beginning? By which distance do you choose, and stop?",
+            answer: |q| {
+                search(q, |how| {
+                    how.order = Order::NearestOfAll;
+                    how.by = By::Stay;
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -83,6 +83,8 @@ pub enum Slip {
     RefractionNotCounted,
     MirrorsNotCounted,
     StraightThroughGlass,
+    RefractedSqueezed,
+    RefractedSpread,
     LastShareOnly,
     Clamped,
     Encoded,

@@ -597,6 +597,16 @@ impl Graded for Trace {
                 })
             },
         },
+        Mistake {
+            name: "multiplies what glass lets through by (n₁/n₂)², as of light that is squeezed into a narrower cone",
+            hint: "The task's rule for glass has two shares, which add up to 1: which factor is in yours besides?",
+            answer: |q| answer(q, Slip::RefractedSqueezed),
+        },
+        Mistake {
+            name: "multiplies what glass lets through by (n₂/n₁)², as of light that is spread from a narrower cone",
+            hint: "The task's rule for glass has two shares, which add up to 1: which factor is in yours besides?",
+            answer: |q| answer(q, Slip::RefractedSpread),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

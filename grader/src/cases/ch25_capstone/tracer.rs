@@ -140,7 +140,12 @@ impl<'a> Tracer<'a> {
                     self.leave(&at, refracted)
                 };
                 let left = self.left(depth, Slip::RefractionNotCounted);
-                let through = self.radiance(&behind, left, false);
+                let factor = match self.slip {
+                    Slip::RefractedSqueezed => (here / there).powi(2),
+                    Slip::RefractedSpread => (there / here).powi(2),
+                    _ => 1.0,
+                };
+                let through = self.radiance(&behind, left, false) * factor;
                 if self.is(Slip::NoShares) {
                     break 'glass through + mirrored();
                 }

@@ -136,6 +136,14 @@ pub(super) fn added(q: &GridWalk, by: &Adding) -> Vec<Visit> {
     visits
 }
 
+/// A walk of steps along the axes that are chosen, to where the ray leaves the lattice or the interval ends.
+pub(super) fn in_lattice(q: &GridWalk, chosen: fn([f32; 3]) -> Option<usize>) -> Vec<Visit> {
+    let clipped = slab::clip(&q.lattice().bounds(), &q.ray, q.within);
+    let mut inside = q.clone();
+    inside.within = clipped.unwrap_or(q.within);
+    added(&inside, &Adding { chosen, ..ADDING })
+}
+
 /// A walk on which the cell changes along some axes only.
 pub(super) fn stuck(q: &GridWalk, moves: [bool; 3]) -> Vec<Visit> {
     let is_clipped = true;
@@ -192,4 +200,48 @@ pub(super) fn nearest(next: [f32; 3]) -> Vec<usize> {
     let mut axes = by_distance(next);
     axes.truncate(1);
     axes
+}
+
+/// The axis of the nearest plane, if x and z are never compared.
+pub(super) fn without_xz([x, y, z]: [f32; 3]) -> usize {
+    if x < y {
+        0
+    } else if y < z {
+        1
+    } else {
+        2
+    }
+}
+
+/// The same, if x and y are never compared.
+pub(super) fn without_xy([x, y, z]: [f32; 3]) -> usize {
+    if x < z {
+        0
+    } else if y < z {
+        1
+    } else {
+        2
+    }
+}
+
+/// The same, if y and z are never compared.
+pub(super) fn without_yz([x, y, z]: [f32; 3]) -> usize {
+    if z <= x {
+        2
+    } else if x < y {
+        0
+    } else {
+        1
+    }
+}
+
+/// The same, if z is taken wherever it comes before y.
+pub(super) fn z_before_y([x, y, z]: [f32; 3]) -> usize {
+    if z <= y {
+        2
+    } else if x < y {
+        0
+    } else {
+        1
+    }
 }

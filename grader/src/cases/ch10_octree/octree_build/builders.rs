@@ -32,7 +32,7 @@ pub(super) fn built(
 }
 
 /// What is left of a limit on copies after a cut that makes some names of each shape.
-type Left = fn(copies: f32, made: f32) -> f32;
+pub(super) type Left = fn(copies: f32, made: f32) -> f32;
 
 /// By which rule cells are cut.
 #[derive(Clone, Copy)]
@@ -42,7 +42,9 @@ pub(super) struct Rule {
     /// How many names the limit on copies allows to the parts of a cell with n shapes.
     pub(super) allowed: fn(copies: f32, n: f32) -> f32,
     /// What a cut leaves of the limit on copies for the parts.
-    left: Left,
+    pub(super) left: Left,
+    /// How many times the limits on depth and on copies are lowered for a child.
+    pub(super) times: fn(child: u32) -> [u32; 2],
 }
 
 /// The tree by the right rule, but for what is changed.
@@ -51,6 +53,7 @@ pub(super) fn by(q: &OctreeBuild, change: impl FnOnce(&mut Rule)) -> TreeRow {
         pays: |q, n, parts| q.opening + 0.25 * sum(parts) < n,
         allowed: |copies, n| copies * n,
         left: |copies, made| copies / made.max(1.0),
+        times: |_| [1, 1],
     };
     let rule = changed(right, change);
     let mut tree = TreeRow {
@@ -105,7 +108,9 @@ fn fill(
     tree.nodes[node] = inner(first as u32);
     tree.nodes.extend((0..8).map(|_| leaf(0, 0)));
     for (i, part) in parts.into_iter().enumerate() {
-        let limits = (depth - 1, (rule.left)(copies, after / before));
+        let [levels, times] = (rule.times)(i as u32);
+        let left = (0..times).fold(copies, |left, _| (rule.left)(left, after / before));
+        let limits = (depth.saturating_sub(levels), left);
         fill(q, rule, tree, (first + i, &cells[i]), part, limits);
     }
 }
@@ -121,6 +126,20 @@ pub(super) fn name_all(tree: &TreeRow, node: usize, made: &mut TreeRow) {
     made.names.extend(names);
     if row.inner != 0 {
         (first..first + 8).for_each(|child| name_all(tree, child, made));
+    }
+}
+
+/// Appends a node and all below it, each child behind all that is below the child before.
+pub(super) fn depth_first(tree: &TreeRow, node: usize, made: &mut TreeRow) {
+    let row = &tree.nodes[node];
+    let first = row.first as usize;
+    if row.inner == 0 {
+        let names = &tree.names[first..first + row.count as usize];
+        made.nodes.push(leaf(made.names.len() as u32, row.count));
+        made.names.extend(names);
+    } else {
+        made.nodes.push(inner(made.nodes.len() as u32 + 1));
+        (first..first + 8).for_each(|child| depth_first(tree, child, made));
     }
 }
 

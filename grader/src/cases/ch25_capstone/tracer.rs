@@ -140,12 +140,7 @@ impl<'a> Tracer<'a> {
                     self.leave(&at, refracted)
                 };
                 let left = self.left(depth, Slip::RefractionNotCounted);
-                let factor = match self.slip {
-                    Slip::RefractedSqueezed => (here / there).powi(2),
-                    Slip::RefractedSpread => (there / here).powi(2),
-                    _ => 1.0,
-                };
-                let through = self.radiance(&behind, left, false) * factor;
+                let through = self.radiance(&behind, left, false) * self.squeezed(here / there);
                 if self.is(Slip::NoShares) {
                     break 'glass through + mirrored();
                 }
@@ -200,6 +195,15 @@ impl<'a> Tracer<'a> {
             Slip::FirstForNearest => hits.next(),
             Slip::FarthestForNearest => hits.max_by(by_distance),
             _ => hits.min_by(by_distance),
+        }
+    }
+
+    /// What the radiance behind a surface is multiplied by, at this ratio of the indices before it and behind it.
+    fn squeezed(&self, ratio: f32) -> f32 {
+        match self.slip {
+            Slip::RefractedSqueezed => ratio * ratio,
+            Slip::RefractedSpread => 1.0 / (ratio * ratio),
+            _ => 1.0,
         }
     }
 

@@ -226,22 +226,10 @@ pub(super) fn without_xy([x, y, z]: [f32; 3]) -> usize {
 
 /// The same, if y and z are never compared.
 pub(super) fn without_yz([x, y, z]: [f32; 3]) -> usize {
-    if z <= x {
-        2
-    } else if x < y {
-        0
-    } else {
-        1
-    }
+    if z <= x { 2 } else { usize::from(x >= y) }
 }
 
 /// The same, if z is taken wherever it comes before y.
 pub(super) fn z_before_y([x, y, z]: [f32; 3]) -> usize {
-    if z <= y {
-        2
-    } else if x < y {
-        0
-    } else {
-        1
-    }
+    if z <= y { 2 } else { usize::from(x >= y) }
 }

@@ -81,6 +81,10 @@ pub enum Order {
     LeavesFirst,
     /// The one whose least corner is nearest to the ray's origin first.
     LeastCorner,
+    /// The one whose box the ray leaves first.
+    LeftFirst,
+    /// The one in whose box the middle of the ray's stay is nearest.
+    MiddleOfStay,
     /// The nearest of all that wait, wherever they are in the tree: as right as the nearest of a branch.
     NearestOfAll,
 }
@@ -404,6 +408,12 @@ impl Search<'_> {
     /// The children that are met in the order in which they are opened.
     fn put_in_order(&self, met: &mut [(f32, Aabb, Node)]) {
         let far = |bounds: &Aabb| bounds.min.distance(self.tree.ray.origin);
+        let stay = |bounds: &Aabb| {
+            let inside = slab::clip(bounds, self.tree.ray, self.within);
+            inside.unwrap_or(self.within)
+        };
+        let leaves = |bounds: &Aabb| stay(bounds).max;
+        let middle = |bounds: &Aabb| 0.5 * (stay(bounds).min + stay(bounds).max);
         match self.how.order {
             Order::Stored | Order::NearestOfAll => {}
             Order::Backwards => met.reverse(),
@@ -424,6 +434,8 @@ impl Search<'_> {
                 kinds.then(a.0.total_cmp(&b.0))
             }),
             Order::LeastCorner => met.sort_by(|a, b| far(&a.1).total_cmp(&far(&b.1))),
+            Order::LeftFirst => met.sort_by(|a, b| leaves(&a.1).total_cmp(&leaves(&b.1))),
+            Order::MiddleOfStay => met.sort_by(|a, b| middle(&a.1).total_cmp(&middle(&b.1))),
         }
     }
 

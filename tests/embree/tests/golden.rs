@@ -72,6 +72,14 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("wide_closest", "opens every child"),
     (
         "wide_closest",
+        "opens first the child whose box the ray leaves first",
+    ),
+    (
+        "wide_closest",
+        "opens first the child in whose box the middle of the ray's stay is nearest",
+    ),
+    (
+        "wide_closest",
         "sorts the boxes by the distances of their least corners from the ray's origin",
     ),
     (

@@ -25,6 +25,18 @@ fn axis_by_axis(q: &Reflect) -> Vec3 {
     *q.incoming - 2.0 * *q.incoming * *q.normal * *q.normal
 }
 
+/// The right answer by the matrix of the mirror, 1 − 2 n nᵀ, in which an element is a copy of another one of its row: both beside the diagonal.
+fn copied(q: &Reflect, row: usize, column: usize) -> Vec3 {
+    let n = *q.normal;
+    let other = 3 - row - column;
+    let mut sent = Reflect::right(q);
+    sent[row] += 2.0 * n[row] * (n[column] - n[other]) * q.incoming[column];
+    sent.normalize_or_zero()
+}
+
+/// What tells a copied element of the matrix.
+const COPIED_HINT: &str = "Exchange the rows of a mirror's matrix with its columns: it stays the same matrix. Does yours?";
+
 impl Graded for Reflect {
     fn random(rng: &mut Pcg) -> Reflect {
         Reflect {
@@ -155,6 +167,21 @@ impl Graded for Reflect {
                     right
                 }
             },
+        },
+        Mistake {
+            name: "has x·y of the normal where x·z belongs, in the first row of the mirror's matrix",
+            hint: COPIED_HINT,
+            answer: |q| copied(q, 0, 2),
+        },
+        Mistake {
+            name: "has x·y of the normal where y·z belongs, in the second row of the mirror's matrix",
+            hint: COPIED_HINT,
+            answer: |q| copied(q, 1, 2),
+        },
+        Mistake {
+            name: "has x·z of the normal where y·z belongs, in the last row of the mirror's matrix",
+            hint: COPIED_HINT,
+            answer: |q| copied(q, 2, 1),
         },
     ];
 

@@ -31,6 +31,26 @@ fn blocked_by(q: &Lit, hides: fn([bool; 2]) -> bool) -> bool {
     q.spheres.iter().any(is_hiding)
 }
 
+/// The answer by the cones around the spheres ahead. Whether the light is in a cone is said of the sine and the cosine of the angle from it to the
+/// sphere's middle, and of the sine of that from the middle to the rim.
+fn by_cones(q: &Lit, is_in: fn([f32; 2], f32) -> bool) -> u32 {
+    let way = shadow(q);
+    let is_hiding = |ball: &Ball| {
+        let to = ball.center - way.origin;
+        let (away, foot) = (to.length(), to.dot(*q.toward));
+        let end = way.within.max;
+        if away < ball.radius {
+            return true;
+        }
+        if foot > end {
+            return (to - end * *q.toward).length() < ball.radius;
+        }
+        let aside = (away * away - foot * foot).max(0.0).sqrt();
+        foot > 0.0 && is_in([aside / away, foot / away], ball.radius / away)
+    };
+    u32::from(!q.spheres.iter().any(is_hiding))
+}
+
 /// The way to the light.
 fn shadow(q: &Lit) -> Way {
     ShadowRay::answer(&ShadowRay {
@@ -381,23 +401,12 @@ impl Graded for Lit {
         Mistake {
             name: "compares the tangent of the angle to a sphere's middle with its radius over its distance, not the sine",
             hint: "A ray that just touches a sphere, its middle and the touched point make a triangle: where is its right angle?",
-            answer: |q| {
-                let way = shadow(q);
-                let is_hiding = |ball: &Ball| {
-                    let to = ball.center - way.origin;
-                    let (away, foot) = (to.length(), to.dot(*q.toward));
-                    let end = way.within.max;
-                    if away < ball.radius {
-                        return true;
-                    }
-                    if foot > end {
-                        return (to - end * *q.toward).length() < ball.radius;
-                    }
-                    let aside = (away * away - foot * foot).max(0.0).sqrt();
-                    foot > 0.0 && aside / foot < ball.radius / away
-                };
-                u32::from(!q.spheres.iter().any(is_hiding))
-            },
+            answer: |q| by_cones(q, |[sine, cosine], rim| sine / cosine < rim),
+        },
+        Mistake {
+            name: "compares the sine of the angle to a sphere's middle with the tangent of that to its rim",
+            hint: "Of the angle to the middle and of the angle to the rim, which function do you compare: the same one of both?",
+            answer: |q| by_cones(q, |[sine, _], rim| sine < rim / (1.0 - rim * rim).sqrt()),
         },
     ];
 }

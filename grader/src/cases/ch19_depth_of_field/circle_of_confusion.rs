@@ -200,5 +200,16 @@ impl Graded for CircleOfConfusion {
                 }
             },
         },
+        Mistake {
+            name: "makes a star's disc as large as the opening of the lens",
+            hint: "A star and a very distant lamp make nearly the same disc: do yours?",
+            answer: |q| {
+                if q.distance.is_infinite() {
+                    q.lens().aperture()
+                } else {
+                    Self::right(q)
+                }
+            },
+        },
     ];
 }

@@ -172,7 +172,7 @@ impl Graded for PanoramaRay {
             answer: |q| along(q, PI * (q.film.x - 0.5), TAU * q.film.y - 0.5 * PI),
         },
         Mistake {
-            name: "tilts the view towards up first, and turns it sideways afterwards, so that the sides are not tilted",
+            name: "turns in the wrong order: tilts what lies ahead only, and leaves right and left on the horizon",
             hint: "Look to your right and up: does right, too, move towards up? Which of the two turns comes first?",
             answer: |q| {
                 let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();

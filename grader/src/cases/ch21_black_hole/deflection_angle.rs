@@ -1,17 +1,24 @@
 //! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
 
+mod sums;
+
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
 use raybook_workbook::exercises::ch21_black_hole::DeflectionAngle;
 use std::f32::consts::PI;
+use sums::{count_that_loses, sum};
 
 /// An angle this near to the right one is the result of a right method that is not exact enough.
 const NEARLY: f32 = 0.1;
 
 /// What is said of such an angle.
 const COARSE: &str = "that is nearly right, but not to a part in a thousand";
+
+/// What is wrong with a sum of equal steps up to the turning point, and what leads to it.
+const UNBOUNDED: &str = "sums equal steps up to the turning point, where the integrand grows without end, and loses a part of it";
+const UNBOUNDED_HINT: &str = "Halve your steps: is the angle off by half as much? Which other variable than 1/r keeps the integrand finite where the ray turns?";
 
 impl Graded for DeflectionAngle {
     fn random(rng: &mut Pcg) -> DeflectionAngle {
@@ -23,27 +30,35 @@ impl Graded for DeflectionAngle {
         DeflectionAngle { impact_parameter }
     }
 
-    fn judge(_q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+    fn judge(q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
         let (golden, got) = (golden.as_ref(), got.as_ref());
         judge::option("a ray that gets away", golden, got, |golden, got| {
             let tolerance = judge::RELATIVE * golden;
             let why = judge::number_within("the angle", "rad", *golden, *got, tolerance);
             let is_near = (golden - got).abs() <= NEARLY * golden;
-            why.map_err(|why| {
-                if is_near {
-                    format!("{why}: {COARSE}")
-                } else {
-                    why
-                }
+            let steps = || count_that_loses(q.impact_parameter.into(), f64::from(golden - got));
+            why.map_err(|why| match steps() {
+                Some(steps) => format!(
+                    "{why}: it is the sum of {steps} equal steps of 1/r up to the turning point"
+                ),
+                None if is_near => format!("{why}: {COARSE}"),
+                None => why,
             })
         })
     }
 
-    const FLAWS: &'static [Flaw] = &[Flaw {
-        complaint: COARSE,
-        name: "comes near to the angle, but not to a part in a thousand",
-        hint: "Is your formula an approximation? If not, halve your steps: does the angle change by more than a part in a thousand? And if you begin twice as far away?",
-    }];
+    const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: COARSE,
+            name: "comes near to the angle, but not to a part in a thousand",
+            hint: "Is your formula an approximation? If not, halve your steps: does the angle change by more than a part in a thousand? And if you begin twice as far away?",
+        },
+        Flaw {
+            complaint: "equal steps of 1/r up to the turning point",
+            name: UNBOUNDED,
+            hint: UNBOUNDED_HINT,
+        },
+    ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
@@ -170,6 +185,11 @@ impl Graded for DeflectionAngle {
             name: "takes twice the angle of a stone",
             hint: "Twice the angle of Newton's law is right far away: is it near the hole?",
             answer: |q| escapes(q).map(|b| 4.0 * (0.5 / b).atan()),
+        },
+        Mistake {
+            name: UNBOUNDED,
+            hint: UNBOUNDED_HINT,
+            answer: |q| escapes(q).map(|b| sum(b.into(), 1000) as f32),
         },
     ];
 }

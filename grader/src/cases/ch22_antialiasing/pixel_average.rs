@@ -50,6 +50,15 @@ fn divided(q: &PixelAverage, divisor: fn(&PixelAverage, f32) -> f32) -> Rgb {
     changed_average(q, |how| how.divisor = divisor)
 }
 
+/// A running average. `share` is that of the way to a sample by which this one moves it, by its weight and the number of samples so far.
+fn running(q: &PixelAverage, share: fn(f32, f32) -> f32) -> Rgb {
+    let toward = |average: Rgb, (i, s): (usize, &Seen)| {
+        let share = share(tent(q, s.offset), (i + 1) as f32);
+        average * (1.0 - share) + s.radiance * share
+    };
+    q.samples.iter().enumerate().fold(Rgb::BLACK, toward)
+}
+
 /// A cone's weight.
 fn cone(q: &PixelAverage, offset: Vec2) -> f32 {
     (1.0 - offset.length() / q.radius).max(0.0)
@@ -405,13 +414,12 @@ impl Graded for PixelAverage {
         Mistake {
             name: "moves a running average by each sample's whole weight, not by its share of all weights so far",
             hint: "Two samples in the same place: by which part does the second move the average of the first?",
-            answer: |q| {
-                let toward = |average: Rgb, s: &Seen| {
-                    let weight = tent(q, s.offset);
-                    average * (1.0 - weight) + s.radiance * weight
-                };
-                q.samples.iter().fold(Rgb::BLACK, toward)
-            },
+            answer: |q| running(q, |weight, _| weight),
+        },
+        Mistake {
+            name: "moves a running average by each sample's weight over the number of samples, not over all weights so far",
+            hint: "Two samples in the same place: by which part does the second move the average of the first?",
+            answer: |q| running(q, |weight, count| weight / count),
         },
     ];
 }

@@ -11,6 +11,10 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_6};
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
 
+/// What is wrong where [`not_wrapped`] complains, and what leads to it.
+const WRAPPED: &str = "lets points that leave the square come in again on its other side";
+const WRAPPED_HINT: &str = "A rotated lattice does not go on at the left edge as it ends at the right one: what becomes of a point outside of the square?";
+
 /// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.
 fn lattice(q: &RotatedGrid, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     let reach = (1.0 / q.spacing).ceil() as i32 + 2;
@@ -63,6 +67,18 @@ fn inside_before(q: &RotatedGrid) -> Vec<Vec2> {
     .collect()
 }
 
+/// A piece of the rotated lattice around the middle, with as many points along each side as fit into the square's, each moved into the square by whole
+/// sides of it.
+fn wrapped(q: &RotatedGrid) -> Vec<Vec2> {
+    let along = (1.0 / q.spacing).round() as i32;
+    let steps = -(along / 2)..along - along / 2;
+    let cells = steps
+        .clone()
+        .flat_map(|j| steps.clone().map(move |i| vec2(i as f32, j as f32)));
+    let place = |cell| 0.5 + q.spacing * turned(cell + q.offset, 1.0);
+    cells.map(|cell| place(cell).fract_gl()).collect()
+}
+
 /// By arctan ½, counter-clockwise if `sense` is 1, clockwise if it is −1.
 fn turned(q: Vec2, sense: f32) -> Vec2 {
     vec2(2.0 * q.x - sense * q.y, sense * q.x + 2.0 * q.y) / 5.0_f32.sqrt()
@@ -98,6 +114,7 @@ impl Graded for RotatedGrid {
             points::same_places(&golden, &got, TOLERANCE)
         };
         sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
+            not_wrapped(q, got)?;
             angle(q, got)?;
             shift(q, got)?;
             sense(1.0)
@@ -116,6 +133,11 @@ impl Graded for RotatedGrid {
             complaint: "is outside the square",
             name: "keeps what is outside",
             hint: "Are all your points in the square?",
+        },
+        Flaw {
+            complaint: "by whole sides of the square",
+            name: WRAPPED,
+            hint: WRAPPED_HINT,
         },
         Flaw {
             complaint: "on this lattice it would be",
@@ -296,7 +318,42 @@ impl Graded for RotatedGrid {
             hint: "Which points must be in the square: the rotated ones, or those before?",
             answer: |q| inside(inside_before(q)),
         },
+        Mistake {
+            name: WRAPPED,
+            hint: WRAPPED_HINT,
+            answer: wrapped,
+        },
     ];
+}
+
+/// Whether no points, or all, are on the lattice only if they are moved by whole sides of the square, or others are not on it at all.
+fn not_wrapped(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
+    /// Sides by which a point may be moved.
+    const SIDES: i32 = 2;
+    let sides =
+        (-SIDES..=SIDES).flat_map(|j| (-SIDES..=SIDES).map(move |i| vec2(i as f32, j as f32)));
+    let sides: Vec<_> = sides.collect();
+    let is_on = |p: Vec2, sense: f32| {
+        let steps = turned((p - 0.5) / q.spacing, -sense) - q.offset;
+        (steps - steps.round()).length() < 2.0 * TOLERANCE / q.spacing
+    };
+    let senses = [1.0, -1.0];
+    if senses
+        .iter()
+        .any(|sense| got.iter().all(|p| is_on(*p, *sense)))
+    {
+        return Ok(()); // in the middle, points may be on the lattice of the other sense too
+    }
+    for sense in senses {
+        let moved = got.iter().filter(|p| !is_on(**p, sense)).count();
+        let comes_from = |p: &Vec2| sides.iter().any(|side| is_on(*p + *side, sense));
+        if (1..got.len()).contains(&moved) && got.iter().all(comes_from) {
+            return Err(format!(
+                "{moved} of the points are on the lattice only if they are moved by whole sides of the square"
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Whether the lattice is turned as it should be, by each point's way to its nearest neighbour.

@@ -475,7 +475,17 @@ impl Graded for NeedsMore {
         Mistake {
             name: "squares the difference from the mean before in a running variance, and does not multiply it by that from the mean after",
             hint: "Two samples, 0 and 1: what is their variance, and what does your recurrence make of it?",
-            answer: running,
+            answer: |q| running(q, 1, |before, _| before * before),
+        },
+        Mistake {
+            name: "squares the difference from the mean before in a running variance, and that of the first sample from 0 too",
+            hint: "Two samples that are the same: what is their variance, and what does your recurrence make of the first of them?",
+            answer: |q| running(q, 0, |before, _| before * before),
+        },
+        Mistake {
+            name: "squares the difference from the mean after in a running variance, not multiplied by that from the mean before",
+            hint: "Two samples, 0 and 1: what is their variance, and what does your recurrence make of it?",
+            answer: |q| running(q, 0, |_, after| after * after),
         },
     ];
 }
@@ -526,16 +536,16 @@ fn by_weights(q: &NeedsMore, [r, g, b]: [f32; 3]) -> u32 {
     decide(q, too_contrasty(q, ratio), standard_error(&gray))
 }
 
-/// The answer by a running variance, which adds the square of each luminance's difference from the mean of those before. Right is its product with
-/// the difference from the mean with it (Welford 1962).
-fn running(q: &NeedsMore) -> u32 {
+/// The answer by a running variance, which adds something for each luminance from number `first` on, by its differences from the mean of those before
+/// and from the mean with it. Right is their product (Welford 1962).
+fn running(q: &NeedsMore, first: usize, adds: fn(f32, f32) -> f32) -> u32 {
     let (mut mean, mut squares) = (0.0, 0.0);
     for (i, sample) in q.samples.iter().enumerate() {
         let luminance = sample.luminance();
         let before = luminance - mean;
         mean += before / (i + 1) as f32;
-        if i > 0 {
-            squares += before * before;
+        if i >= first {
+            squares += adds(before, luminance - mean);
         }
     }
     let n = q.samples.len() as f32;

@@ -346,6 +346,16 @@ impl Graded for WideClosest {
                 })
             },
         },
+        Mistake {
+            name: "opens first the child whose box the ray leaves first",
+            hint: "The nearest hit may be where a long box begins: by which end of the boxes do you sort?",
+            answer: |q| search(q, |how| how.order = Order::LeftFirst),
+        },
+        Mistake {
+            name: "opens first the child in whose box the middle of the ray's stay is nearest",
+            hint: "The nearest hit may be where a long box begins: by which place in the boxes do you sort?",
+            answer: |q| search(q, |how| how.order = Order::MiddleOfStay),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -50,7 +50,8 @@ fn divided(q: &PixelAverage, divisor: fn(&PixelAverage, f32) -> f32) -> Rgb {
     changed_average(q, |how| how.divisor = divisor)
 }
 
-/// A running average. `share` is that of the way to a sample by which this one moves it, by its weight and the number of samples so far.
+/// A running average: each sample moves it by a share of the way to that sample. `share(weight, count)` is made of the sample's weight and of
+/// `count`, the number of samples so far, this one included.
 fn running(q: &PixelAverage, share: fn(f32, f32) -> f32) -> Rgb {
     let toward = |average: Rgb, (i, s): (usize, &Seen)| {
         let share = share(tent(q, s.offset), (i + 1) as f32);

@@ -8,6 +8,17 @@ type Made = fn(f64) -> f64;
 /// What is taken for `{}`, and how it is made.
 type Scale = (&'static str, Made);
 
+/// For each number of steps from 0 to 1: the number, and what is made of `v` if it is rounded down to a step, and to the nearest one.
+macro_rules! in_steps {
+    ($($steps:literal)+) => {
+        [$((
+            $steps,
+            (|v| (f64::from($steps) * v).floor() / f64::from($steps)) as Made,
+            (|v| (f64::from($steps) * v).round() / f64::from($steps)) as Made,
+        )),+]
+    };
+}
+
 /// The ways to misread a number.
 #[allow(clippy::too_many_lines)] // a list of ways
 pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, Made)) {
@@ -129,58 +140,7 @@ pub(super) fn numbers(name: &str, each: &mut impl FnMut(String, u32, &str, Made)
         "Is `{}` a whole number? Look for the wrong type.",
         f64::round,
     );
-    let steps: [(u32, Made, Made); 10] = [
-        (
-            10,
-            |v| (10.0 * v).floor() / 10.0,
-            |v| (10.0 * v).round() / 10.0,
-        ),
-        (
-            100,
-            |v| (100.0 * v).floor() / 100.0,
-            |v| (100.0 * v).round() / 100.0,
-        ),
-        (
-            255,
-            |v| (255.0 * v).floor() / 255.0,
-            |v| (255.0 * v).round() / 255.0,
-        ),
-        (
-            256,
-            |v| (256.0 * v).floor() / 256.0,
-            |v| (256.0 * v).round() / 256.0,
-        ),
-        (
-            511,
-            |v| (511.0 * v).floor() / 511.0,
-            |v| (511.0 * v).round() / 511.0,
-        ),
-        (
-            512,
-            |v| (512.0 * v).floor() / 512.0,
-            |v| (512.0 * v).round() / 512.0,
-        ),
-        (
-            1000,
-            |v| (1000.0 * v).floor() / 1000.0,
-            |v| (1000.0 * v).round() / 1000.0,
-        ),
-        (
-            1023,
-            |v| (1023.0 * v).floor() / 1023.0,
-            |v| (1023.0 * v).round() / 1023.0,
-        ),
-        (
-            1024,
-            |v| (1024.0 * v).floor() / 1024.0,
-            |v| (1024.0 * v).round() / 1024.0,
-        ),
-        (
-            4096,
-            |v| (4096.0 * v).floor() / 4096.0,
-            |v| (4096.0 * v).round() / 4096.0,
-        ),
-    ];
+    let steps = in_steps!(10 100 255 256 511 512 1000 1023 1024 4096);
     let exact = "How exactly is `{}` known where you use it? Look for a table, for a conversion to bytes, for `round`.";
     for (steps, down, near) in steps {
         let of = format!("takes {name} in steps of 1/{steps}");

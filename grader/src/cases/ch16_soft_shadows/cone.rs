@@ -1,8 +1,9 @@
 //! Directions to a spherical light, as the mistakes of `sample_sphere_light` choose them.
 
-use super::lattice;
+use super::sample_sphere_light::distance;
+use super::{crossed, lattice, unless_near};
 use crate::Graded;
-use glam::{Vec2, vec3};
+use glam::{Vec2, Vec3, vec3};
 use raybook::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
 use raybook_workbook::exercises::ch16_soft_shadows::{Chosen, SampleSphereLight};
@@ -83,4 +84,47 @@ pub(super) fn on_cap(q: &SampleSphereLight, axis: Dir3, height: f32) -> Vec<Chos
         }
     };
     lattice(q.n).map(place).collect()
+}
+
+/// The right answer with another sine of the angle between a direction and the axis than its cosine has.
+pub(super) fn with_sine(q: &SampleSphereLight, sine: fn(f32) -> f32) -> Vec<Chosen> {
+    let axis = *Dir3::new_or(q.center - q.at, Dir3::Y);
+    let mut all = SampleSphereLight::right(q);
+    for chosen in &mut all {
+        let cosine = chosen.toward.dot(axis);
+        let across = (chosen.toward - cosine * axis).normalize_or_zero();
+        chosen.toward = sine(cosine) * across + cosine * axis;
+    }
+    all
+}
+
+/// The right answer with another density of each sample, made of its height 1 − cos θ.
+pub(super) fn dense(q: &SampleSphereLight, pdf: impl Fn(f32) -> f32) -> Vec<Chosen> {
+    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+    let mut all = SampleSphereLight::right(q);
+    for chosen in &mut all {
+        chosen.pdf = pdf(0.5 * chosen.toward.distance_squared(*axis));
+        chosen.arriving = q.radiance / chosen.pdf;
+    }
+    all
+}
+
+/// Directions around axes beside the cone's that are cross products, and not of length 1.
+pub(super) fn squeezed(q: &SampleSphereLight, up: Vec3) -> Vec<Chosen> {
+    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
+    let [x, y] = crossed(axis, unless_near(axis, up, Vec3::X));
+    let basis = Basis::around(axis);
+    let mut all = SampleSphereLight::right(q);
+    for chosen in &mut all {
+        let [across, along] = [basis.x, basis.y].map(|beside| chosen.toward.dot(*beside));
+        let up = chosen.toward.dot(*axis);
+        chosen.toward = (across * x + along * y + up * *axis).normalize_or_zero();
+        chosen.distance = distance(q, chosen).0 as f32;
+    }
+    all
+}
+
+/// Directions that are uniform in another cone, from its axis to the height 1 − cos α = `cap`.
+pub(super) fn wide(q: &SampleSphereLight, cap: f32) -> Vec<Chosen> {
+    cone(q, |u, _| (cap * u.x, TAU * u.y, 1.0 / (TAU * cap)))
 }

@@ -1,9 +1,8 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
 use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
-use super::cone::{around, cap, cone, on_cap, on_disc};
+use super::cone::{around, cap, cone, dense, on_cap, on_disc, squeezed, wide, with_sine};
 use super::flaws;
-use super::{crossed, unless_near};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
 use rand::RngExt;
@@ -16,7 +15,7 @@ use std::f32::consts::{PI, TAU};
 /// r² less the square of the distance by which the ray passes the centre is the square of half the ray's way through the light. A
 /// direction of six digits is off by 1e-6, and what it makes of a distance d of d² decides near the rim; one beside the light by a
 /// last digit is taken for one that touches it.
-fn distance(q: &SampleSphereLight, chosen: &Chosen) -> (f64, f64) {
+pub(super) fn distance(q: &SampleSphereLight, chosen: &Chosen) -> (f64, f64) {
     let [at, center] = [q.at, q.center].map(Vec3::as_dvec3);
     let to_center = center - at;
     let toward = chosen.toward.as_dvec3().normalize_or_zero();
@@ -540,47 +539,4 @@ impl Graded for SampleSphereLight {
             },
         },
     ];
-}
-
-/// The right answer with another sine of the angle between a direction and the axis than its cosine has.
-fn with_sine(q: &SampleSphereLight, sine: fn(f32) -> f32) -> Vec<Chosen> {
-    let axis = *Dir3::new_or(q.center - q.at, Dir3::Y);
-    let mut all = SampleSphereLight::right(q);
-    for chosen in &mut all {
-        let cosine = chosen.toward.dot(axis);
-        let across = (chosen.toward - cosine * axis).normalize_or_zero();
-        chosen.toward = sine(cosine) * across + cosine * axis;
-    }
-    all
-}
-
-/// The right answer with another density of each sample, made of its height 1 − cos θ.
-fn dense(q: &SampleSphereLight, pdf: impl Fn(f32) -> f32) -> Vec<Chosen> {
-    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
-    let mut all = SampleSphereLight::right(q);
-    for chosen in &mut all {
-        chosen.pdf = pdf(0.5 * chosen.toward.distance_squared(*axis));
-        chosen.arriving = q.radiance / chosen.pdf;
-    }
-    all
-}
-
-/// Directions around axes beside the cone's that are cross products, and not of length 1.
-fn squeezed(q: &SampleSphereLight, up: Vec3) -> Vec<Chosen> {
-    let axis = Dir3::new_or(q.center - q.at, Dir3::Y);
-    let [x, y] = crossed(axis, unless_near(axis, up, Vec3::X));
-    let basis = Basis::around(axis);
-    let mut all = SampleSphereLight::right(q);
-    for chosen in &mut all {
-        let [across, along] = [basis.x, basis.y].map(|beside| chosen.toward.dot(*beside));
-        let up = chosen.toward.dot(*axis);
-        chosen.toward = (across * x + along * y + up * *axis).normalize_or_zero();
-        chosen.distance = distance(q, chosen).0 as f32;
-    }
-    all
-}
-
-/// Directions that are uniform in another cone, from its axis to the height 1 − cos α = `cap`.
-fn wide(q: &SampleSphereLight, cap: f32) -> Vec<Chosen> {
-    cone(q, |u, _| (cap * u.x, TAU * u.y, 1.0 / (TAU * cap)))
 }

@@ -1,6 +1,11 @@
 //! `direction_to_cube`: the face, and the place on it.
 
+mod faces;
+
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use faces::{
+    clockwise, counter_clockwise, divided, left_for_right, numbered, on, on_axis, top_for_bottom,
+};
 use glam::{Vec3, vec2};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -9,74 +14,6 @@ use raybook_workbook::exercises::ch18_environment::{CubePlace, DirectionToCube};
 
 fn asks(direction: Dir3) -> DirectionToCube {
     DirectionToCube { direction }
-}
-
-/// The right answer, changed on some faces.
-fn on(q: &DirectionToCube, faces: &[u32], change: fn(CubePlace) -> CubePlace) -> CubePlace {
-    let right = DirectionToCube::right(q);
-    if faces.contains(&right.face) {
-        change(right)
-    } else {
-        right
-    }
-}
-
-/// The place by the component along this axis, whether it is the largest or not.
-fn on_axis(q: &DirectionToCube, axis: usize) -> CubePlace {
-    let d = *q.direction;
-    let longer = 2.0 * d.abs().max_element();
-    let mut toward = d;
-    toward[axis] = longer.copysign(d[axis]);
-    let near = DirectionToCube::right(&asks(Dir3::new_or(toward, q.direction)));
-    let farther = |place: f32| 0.5 + (place - 0.5) * longer / d[axis].abs();
-    CubePlace {
-        face: near.face,
-        u: farther(near.u),
-        v: farther(near.v),
-    }
-}
-
-/// The right face, with a place that is divided by the component along this axis.
-fn divided(q: &DirectionToCube, axis: usize) -> CubePlace {
-    let (p, d) = (DirectionToCube::right(q), q.direction.abs());
-    let by = if d[axis] > 0.0 { d[axis] } else { 1.0 };
-    let farther = |place: f32| 0.5 + (place - 0.5) * d.max_element() / by;
-    CubePlace {
-        u: farther(p.u),
-        v: farther(p.v),
-        ..p
-    }
-}
-
-/// The right place, with other numbers of the six faces.
-fn numbered(q: &DirectionToCube, faces: [u32; 6]) -> CubePlace {
-    let p = DirectionToCube::right(q);
-    let face = faces[p.face as usize];
-    CubePlace { face, ..p }
-}
-
-/// Left and right exchanged.
-fn left_for_right(mut p: CubePlace) -> CubePlace {
-    p.u = 1.0 - p.u;
-    p
-}
-
-/// Top and bottom exchanged.
-fn top_for_bottom(mut p: CubePlace) -> CubePlace {
-    p.v = 1.0 - p.v;
-    p
-}
-
-/// A quarter turn of the face, seen from inside.
-fn clockwise(mut p: CubePlace) -> CubePlace {
-    (p.u, p.v) = (1.0 - p.v, p.u);
-    p
-}
-
-/// The same the other way round.
-fn counter_clockwise(mut p: CubePlace) -> CubePlace {
-    (p.u, p.v) = (p.v, 1.0 - p.u);
-    p
 }
 
 impl Graded for DirectionToCube {

@@ -1,10 +1,12 @@
 //! `concentric_disk`: judged by how its points fill the disc.
 
+mod maps;
+
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
-use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
+use maps::{by_angle, by_sides, half_chord, in_disc, mapped, shifted};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::sample::disk::concentric_disk;
@@ -13,47 +15,6 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_2, FRAC_PI_4, TAU};
 
 /// Points that tell how evenly the disc is filled; fewer tell it less well.
 const ENOUGH: usize = 200;
-
-/// The points of the square, and the map to the disc.
-#[derive(Clone, Copy)]
-struct How {
-    points: fn(&ConcentricDisk) -> Vec<Vec2>,
-    map: fn(Vec2) -> Vec2,
-}
-
-/// The points in the disc, but for what is changed.
-fn in_disc(q: &ConcentricDisk, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
-    let right = How {
-        points: |q| q.points().collect(),
-        map: concentric_disk,
-    };
-    let How { points, map } = changed(right, change);
-    points(q).into_iter().map(map).collect()
-}
-
-/// The points in the disc by another map.
-fn mapped(q: &ConcentricDisk, map: fn(Vec2) -> Vec2) -> Vec<Vec2> {
-    in_disc(q, |how| how.map = map)
-}
-
-/// A map by radius and angle.
-fn by_angle(u: Vec2) -> Vec2 {
-    u.x.max(0.0).sqrt() * Vec2::from_angle(TAU * u.y)
-}
-
-/// Half the length of the chord of the unit disc at this distance from its middle.
-fn half_chord(distance: f32) -> f32 {
-    (1.0 - distance * distance).max(0.0).sqrt()
-}
-
-/// Radius and angle of the concentric map for (a, b) = 2u − 1.
-fn by_sides(a: f32, b: f32) -> (f32, f32) {
-    if a.abs() > b.abs() {
-        (a, FRAC_PI_4 * b / a)
-    } else {
-        (b, FRAC_PI_2 - FRAC_PI_4 * a / b)
-    }
-}
 
 /// Whether a disc of radius r has the share r² of the points, but for `bound`.
 fn evenly_outwards<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Verdict {
@@ -546,14 +507,4 @@ impl Graded for ConcentricDisk {
             },
         },
     ];
-}
-
-/// The points of the square where some rule puts them, which is told where the shift moves them and where they should be.
-fn shifted(q: &ConcentricDisk, place: fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
-    let lattice = ConcentricDisk {
-        shift: Vec2::ZERO,
-        ..q.clone()
-    };
-    let rows = lattice.points().zip(q.points());
-    rows.map(|(u, right)| place(u + q.shift, right)).collect()
 }

@@ -1,0 +1,139 @@
+//! Means of estimates of the reflected radiance, as integrals: the right one, and those of wrong estimates. A wrong estimate may choose
+//! directions by one density and divide by another.
+
+use crate::cases::ch17_rendering_equation::at_height;
+use crate::upon::changed;
+use glam::Vec3;
+use raybook::image::rgb::Rgb;
+use raybook::material::mirror;
+use raybook::math::{basis::Basis, dir3::Dir3};
+use raybook::sample::hemisphere;
+use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
+use std::f32::consts::{PI, TAU};
+
+/// The integral's cells from the horizon up, and round the normal.
+const RINGS: u32 = 48;
+const SECTORS: u32 = 40;
+
+/// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
+pub(super) fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb; N] {
+    let basis = Basis::around(normal);
+    let mut sums = [Rgb::BLACK; N];
+    for i in 0..RINGS * SECTORS {
+        let z = ((i / SECTORS) as f32 + 0.5) / RINGS as f32;
+        let phi = TAU * ((i % SECTORS) as f32 + 0.5) / SECTORS as f32;
+        let d = Dir3::new_or(basis.to_world(at_height(z, phi)), normal);
+        for (sum, value) in sums.iter_mut().zip(g(d)) {
+            *sum += value * (TAU / (RINGS * SECTORS) as f32);
+        }
+    }
+    sums
+}
+
+/// What is integrated: the BRDF, the light, and a weight, which is the density of the directions that are chosen over that by which is divided.
+#[derive(Clone, Copy)]
+pub(super) struct How {
+    pub(super) brdf: fn(&ReflectedRadiance, Dir3) -> Rgb,
+    pub(super) sky: fn(&ReflectedRadiance, Dir3) -> Rgb,
+    pub(super) weight: fn(&ReflectedRadiance, Dir3) -> f32,
+}
+
+/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean: with a change.
+pub(super) fn integrated(q: &ReflectedRadiance, change: impl FnOnce(&mut How)) -> Rgb {
+    let right = How {
+        brdf: |q, d| q.brdf().value(q.normal, q.view, d),
+        sky: ReflectedRadiance::sky,
+        weight: |_, _| 1.0,
+    };
+    let How { brdf, sky, weight } = changed(right, change);
+    let [sum] = integral(q.normal, |d| {
+        [brdf(q, d) * sky(q, d) * d.dot(*q.normal) * weight(q, d)]
+    });
+    sum
+}
+
+/// The weight of a direction of either kind that is divided by its own density, in the place of the density of both: the highlight's
+/// reach no direction beyond 90° from its axis.
+pub(super) fn by_own_density(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    let is_reached = highlight(q, q.exponent, d) > 0.0;
+    if is_reached { 1.0 } else { 0.5 }
+}
+
+/// The same with a weight.
+pub(super) fn estimated(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
+    integrated(q, |how| how.weight = weight)
+}
+
+/// The same with another light.
+pub(super) fn under(q: &ReflectedRadiance, sky: fn(&ReflectedRadiance, Dir3) -> Rgb) -> Rgb {
+    integrated(q, |how| how.sky = sky)
+}
+
+/// The cosine of the angle between a direction and the normal.
+pub(super) fn cosine(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    d.dot(*q.normal)
+}
+
+/// The density (n + 1)/2π · cosⁿ α around an axis.
+pub(super) fn lobe(axis: Vec3, n: f32, d: Dir3) -> f32 {
+    (n + 1.0) / TAU * d.dot(axis).max(0.0).powf(n)
+}
+
+/// The density of the cosine.
+pub(super) fn matte(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    lobe(*q.normal, 1.0, d)
+}
+
+/// The density of the highlight's lobe, of this exponent, around the mirrored viewer.
+pub(super) fn highlight(q: &ReflectedRadiance, n: f32, d: Dir3) -> f32 {
+    lobe(*mirrored(q), n, d)
+}
+
+/// The density of directions of which half are chosen by the cosine and half by the highlight.
+pub(super) fn both(q: &ReflectedRadiance, d: Dir3) -> f32 {
+    0.5 * (matte(q, d) + highlight(q, q.exponent, d))
+}
+
+/// The viewer's mirror direction.
+pub(super) fn mirrored(q: &ReflectedRadiance) -> Dir3 {
+    -mirror::reflect(q.view, q.normal)
+}
+
+/// 1/sin θ, which is infinite at the pole: its mean over a ring of the integral's.
+pub(super) fn inverse_sine(cosine: f32) -> f32 {
+    let half = 0.5 / RINGS as f32;
+    let [upper, lower] = [cosine + half, cosine - half].map(|z| z.clamp(0.0, 1.0).asin());
+    RINGS as f32 * (upper - lower)
+}
+
+/// The density of directions at all heights alike, from an axis to 90° from it.
+pub(super) fn half_sphere(axis: Vec3, d: Dir3) -> f32 {
+    if d.dot(axis) > 0.0 {
+        hemisphere::UNIFORM
+    } else {
+        0.0
+    }
+}
+
+/// The BRDF with factors before its matte part and before its highlight.
+pub(super) fn brdf_by(q: &ReflectedRadiance, d: Dir3, matte: f32, gloss: f32) -> Rgb {
+    let mut brdf = q.brdf();
+    brdf.diffuse = brdf.diffuse * matte;
+    brdf.specular = brdf.specular * gloss;
+    brdf.value(q.normal, q.view, d)
+}
+
+/// What the highlight's directions below the surface bring with a weight, if their cosine counts as positive and the BRDF goes on
+/// there.
+pub(super) fn from_below(
+    q: &ReflectedRadiance,
+    weight: fn(&ReflectedRadiance, Dir3) -> f32,
+) -> Rgb {
+    let n = q.exponent;
+    let [sum] = integral(-q.normal, |d| {
+        let shine = (n + 2.0) / TAU * d.dot(*mirrored(q)).max(0.0).powf(n);
+        let brdf = q.diffuse * (1.0 / PI) + q.specular * shine;
+        [brdf * q.sky(d) * -cosine(q, d) * weight(q, d)]
+    });
+    sum
+}

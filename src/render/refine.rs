@@ -15,13 +15,11 @@
 //! ```
 
 use crate::image::{Image, around, rgb::Rgb};
-use crate::math::pcg::Pcg;
 use crate::render::film::{Done, Film};
 use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::even::Even;
 use arrayvec::ArrayVec;
 use glam::Vec2;
-use rand::RngExt;
 
 /// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2, because one
 /// sample has no deviation.
@@ -76,9 +74,9 @@ impl Film<'_> {
 }
 
 fn all(film: &Film, radiance: &Radiance) -> Image {
-    film.expose(&|x, y, rng| {
-        let sample = Sample::of(film, x, y, rng);
-        Gathered::of(film, (0..film.samples).map(|i| sample.seen(i, radiance)))
+    film.expose(&|x, y, _| {
+        let seen = |i| seen(film, [x, y], i, radiance);
+        Gathered::of(film, (0..film.samples).map(seen))
     })
 }
 
@@ -96,9 +94,9 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
         },
         ..*film
     };
-    let begun = begins.each_pixel(&|x, y, rng| {
-        let sample = Sample::of(film, x, y, rng);
-        let seen: ArrayVec<_, FIRST> = (0..first).map(|i| sample.seen(i, radiance)).collect();
+    let begun = begins.each_pixel(&|x, y, _| {
+        let seen = |i| seen(film, [x, y], i, radiance);
+        let seen: ArrayVec<_, FIRST> = (0..first).map(seen).collect();
         Begun::by(film, &seen)
     });
     let again = Film {
@@ -110,12 +108,11 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
         },
         ..*film
     };
-    again.expose(&|x, y, rng| {
-        let sample = Sample::of(film, x, y, rng);
+    again.expose(&|x, y, _| {
         let share = (deviation(film, &begun, x, y) / RESTLESS).min(1.0);
         let count = (share * all as f32).ceil() as usize;
         let count = count.max(first).next_power_of_two().min(all);
-        let rest = (first..count).map(|i| sample.seen(i, radiance));
+        let rest = (first..count).map(|i| seen(film, [x, y], i, radiance));
         let (rest, rays) = Gathered::of(film, rest);
         let samples = begun[y * film.width + x].samples.clone();
         (samples.and(&rest), rays)
@@ -123,36 +120,16 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
 }
 // ANCHOR_END: refine
 
-/// The samples of a pixel.
-struct Sample<'a> {
-    film: &'a Film<'a>,
-    /// The pixel's column and row.
-    pixel: [usize; 2],
-    /// The key of the pixel's random numbers.
-    key: u64,
-}
-
-impl<'a> Sample<'a> {
-    fn of(film: &'a Film<'a>, x: usize, y: usize, rng: &mut Pcg) -> Self {
-        Self {
-            film,
-            pixel: [x, y],
-            key: rng.random(),
-        }
-    }
-
-    /// The place of sample i in the pixel, and its radiance. A single sample is in the middle of the pixel.
-    fn seen(&self, i: usize, radiance: &Radiance) -> (Vec2, Followed) {
-        let film = self.film;
-        let mut numbers = Even::new(self.key, i, film.samples);
-        let spread = numbers.pair();
-        let p = if film.samples == 1 {
-            Vec2::splat(0.5)
-        } else {
-            spread
-        };
-        (p, radiance(film.place(self.pixel, p), &mut numbers))
-    }
+/// The place of sample i in the pixel, and its radiance. A single sample is in the middle of the pixel.
+fn seen(film: &Film, pixel: [usize; 2], i: usize, radiance: &Radiance) -> (Vec2, Followed) {
+    let mut numbers = Even::of_pixel(film.seed, pixel, i, film.samples);
+    let spread = numbers.pair();
+    let p = if film.samples == 1 {
+        Vec2::splat(0.5)
+    } else {
+        spread
+    };
+    (p, radiance(film.place(pixel, p), &mut numbers))
 }
 
 impl Begun {

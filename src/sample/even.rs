@@ -1,4 +1,5 @@
-//! Low-discrepancy random numbers: they are spread evenly over the samples of a pixel, which gives less noise for the same work.
+//! Low-discrepancy random numbers: they are spread evenly over the samples of a pixel, and over those of neighbouring pixels, which
+//! gives less noise for the same work.
 //!
 //! ```
 //! use raybook::sample::even::Even;
@@ -17,6 +18,9 @@ use rand::TryRng;
 use rand::rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
 use std::convert::Infallible;
 
+/// Edge of the tiles of a film whose pixels share a sequence, in pixels.
+const TILE: usize = 64;
+
 /// The random numbers of one sample of a pixel, pair after pair.
 ///
 /// The first pairs of all samples of a pixel are the beginning of a Sobol sequence with Owen's scrambling, in a random order; so
@@ -25,8 +29,8 @@ use std::convert::Infallible;
 /// "Practical hash-based Owen scrambling", 2020).
 #[derive(Clone, Debug)]
 pub struct Even {
-    /// The pixel's key, from which all numbers of the pixel follow.
-    pixel: u64,
+    /// The key from which all numbers of the sequence follow.
+    key: u64,
     /// The sample's number, from 0, with its bits mirrored.
     mirrored: u32,
     /// A mask of the binary digits that indices have: a power of two minus 1.
@@ -38,17 +42,34 @@ pub struct Even {
 }
 
 impl Even {
-    /// The numbers of sample `index` of `samples`, in the pixel with the key `pixel`.
+    /// The numbers of sample `index` of `samples`, in the sequence with this key, as a pixel has one.
     #[inline]
-    pub fn new(pixel: u64, index: usize, samples: usize) -> Self {
+    pub fn new(key: u64, index: usize, samples: usize) -> Self {
         Self {
-            pixel,
+            key,
             mirrored: (index as u32).reverse_bits(),
-            digits: samples.next_power_of_two() as u32 - 1,
+            digits: (samples.next_power_of_two() - 1) as u32,
             pairs: 0,
             second: None,
         }
     }
+
+    // ANCHOR: of_pixel
+    /// The numbers of sample `index` of `samples`, in the pixel of this column and row of a film with this seed.
+    ///
+    /// The pixels of a tile share one sequence, of which each has a piece. The pieces follow each other along Morton's curve, on which
+    /// two, four, eight … pixels side by side come one after the other: so their samples together fill the square of each pair evenly,
+    /// too. Where one pixel is too bright, its neighbours are too dark, and less noise is left when an eye or a filter takes them together
+    /// (Ahmed and Wonka, "Screen-space blue-noise diffusion of Monte Carlo sampling error via hierarchical ordering of pixels", 2020).
+    #[inline]
+    pub fn of_pixel(seed: u64, [x, y]: [usize; 2], index: usize, samples: usize) -> Self {
+        let tile = ((y / TILE) << 32 | (x / TILE)) as u64;
+        let samples = samples.next_power_of_two();
+        let before = spread(x % TILE) | spread(y % TILE) << 1;
+        let key = mix(seed ^ mix(tile));
+        Self::new(key, before * samples + index, TILE * TILE * samples)
+    }
+    // ANCHOR_END: of_pixel
 
     /// The next pair, in [0, 1)².
     #[inline]
@@ -68,7 +89,7 @@ impl TryRng for Even {
         if let Some(second) = self.second.take() {
             return Ok(second);
         }
-        let key = |i| mix(self.pixel ^ mix(2 * self.pairs + i));
+        let key = |i| mix(self.key ^ mix(2 * self.pairs + i));
         let (order, keys) = (key(0), key(1));
         self.pairs += 1;
         // The mask keeps the index below the power of two: the samples are a permutation of this part of the sequence.
@@ -84,6 +105,14 @@ impl TryRng for Even {
     fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
         fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
+}
+
+/// The six binary digits of a place in a tile, with a 0 before each.
+#[inline]
+fn spread(place: usize) -> usize {
+    let fours = (place | place << 4) & 0x30f;
+    let twos = (fours | fours << 2) & 0x333;
+    (twos | twos << 1) & 0x555
 }
 
 /// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries

@@ -1,8 +1,22 @@
 //! Low-discrepancy random numbers, pair after pair.
 
+use glam::Vec2;
 use raybook::inside::even::scramble;
 use raybook::math::pcg::mix;
 use raybook::sample::even::Even;
+
+/// The numbers of the cells in which n points lie, of √n × √n cells; sorted.
+fn cells(points: Vec<Vec2>) -> Vec<u32> {
+    let side = points.len().isqrt() as u32;
+    let cell = |p: Vec2| (p * side as f32).as_uvec2();
+    let mut cells: Vec<_> = points
+        .into_iter()
+        .map(cell)
+        .map(|c| c.x + side * c.y)
+        .collect();
+    cells.sort_unstable();
+    cells
+}
 
 #[test]
 fn numbers_in_different_pieces_stay_in_different_pieces_and_each_piece_goes_everywhere() {
@@ -35,15 +49,8 @@ fn every_power_of_two_of_the_samples_fills_the_square_of_each_pair() {
         let mut all: Vec<_> = (0..samples).map(numbers).collect();
         for pair in 0..5 {
             let points: Vec<_> = all.iter_mut().map(Even::pair).collect();
-            let side = samples.isqrt();
-            let mut cells: Vec<_> = points
-                .iter()
-                .map(|p| (*p * side as f32).as_uvec2())
-                .map(|c| c.x + side as u32 * c.y)
-                .collect();
-            cells.sort_unstable();
             assert!(
-                cells.into_iter().eq(0..samples as u32),
+                cells(points).into_iter().eq(0..samples as u32),
                 "pair {pair} of {samples}"
             );
         }
@@ -64,4 +71,48 @@ fn one_pair_says_nothing_about_the_next() {
     }
     // Each product scatters by 1/12, and 32000 of them together by 1/12/√32000 = 0.0005.
     assert!((sum / (16.0 * pixels as f64)).abs() < 0.0025, "{sum}");
+}
+
+#[test]
+fn pixels_side_by_side_fill_the_square_of_each_pair_together() {
+    for (samples, side) in [(4, 2), (1, 4), (16, 2), (4, 8)] {
+        for corner in [[0, 0], [8, 24], [64, 640]] {
+            let pixels = (0..side * side).map(|i| [corner[0] + i % side, corner[1] + i / side]);
+            let numbers = pixels
+                .flat_map(|pixel| (0..samples).map(move |i| Even::of_pixel(3, pixel, i, samples)));
+            let mut all: Vec<_> = numbers.collect();
+            for pair in 0..5 {
+                let points = all.iter_mut().map(Even::pair).collect();
+                assert!(
+                    cells(points)
+                        .into_iter()
+                        .eq(0..(samples * side * side) as u32),
+                    "pair {pair} of {side} × {side} pixels of {samples} samples from {corner:?}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
+fn neighbours_make_up_for_each_others_errors_and_far_pixels_know_nothing_of_each_other() {
+    // The estimate of a pixel: the mean of the pairs' x + y.
+    let estimate = |seed, pixel| {
+        let points = (0..4).map(|i| {
+            let mut numbers = Even::of_pixel(seed, pixel, i, 4);
+            numbers.pair();
+            numbers.pair()
+        });
+        points.map(|p| f64::from(p.x + p.y) - 1.0).sum::<f64>() / 4.0
+    };
+    let (mut alone, mut together, mut apart) = (0.0, 0.0, 0.0);
+    for seed in 0..2000 {
+        let block = [[0, 0], [1, 0], [0, 1], [1, 1]].map(|pixel| estimate(seed, pixel));
+        alone += block.iter().map(|error| error * error).sum::<f64>() / 4.0;
+        together += (block.iter().sum::<f64>() / 4.0).powi(2);
+        apart += block[0] * estimate(seed, [64, 0]);
+    }
+    // Independent pixels would leave a quarter of the variance.
+    assert!(together < 0.1 * alone, "{together} of {alone}");
+    assert!(apart.abs() < 0.1 * alone, "{apart} of {alone}");
 }

@@ -275,7 +275,28 @@ fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
         });
         lines.push(format!("  Hint: {}", seen.hint));
     }
+    lines.extend(unexplained(diagnosis));
     lines
+}
+
+/// What is said of the wrong answers that no mistake explains. Of an answer in parts each part has its own.
+fn unexplained(diagnosis: &Diagnosis) -> Option<String> {
+    let apart = diagnosis.also.iter();
+    let apart = apart.filter(|also| also.beside == Beside::Apart);
+    if diagnosis.part.is_some() || apart.clone().any(|also| also.part.is_some()) {
+        return None;
+    }
+    let explained = diagnosis.explained + apart.map(|also| also.explained).sum::<usize>();
+    match diagnosis.wrong.saturating_sub(explained) {
+        0 => None,
+        1 => Some(
+            "  The other wrong answer has another cause: mend this first, and check again."
+                .to_owned(),
+        ),
+        left => Some(format!(
+            "  The other {left} wrong answers have another cause: mend this first, and check again."
+        )),
+    }
 }
 
 /// What a mistake of this name explains, behind a word that joins it to the one before.

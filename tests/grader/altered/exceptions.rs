@@ -94,7 +94,7 @@ pub const EXCEPTIONS: &[Exception] = &[
         altered: &[
             ("a word", "0", 4),
             ("a word", "10 % more", 8),
-            ("a word", "negative", 62),
+            ("a word", "negative", 68),
             ("a column", "negative", 15),
         ],
         why: "any direction is right as long as all are distributed by the cosine, such as the mirror image of one, or of all in a plane through the normal",

@@ -9,17 +9,25 @@ use raybook_grader::diagnose::diagnose;
 use raybook_grader::examine::visible_rng;
 
 #[test]
-fn a_seed_of_which_a_part_is_used_is_no_dependence_on_the_point_before() {
+fn a_seed_of_which_a_part_is_used_is_no_dependence_on_the_point_before_nor_a_wrong_range() {
+    let of_few = |n: f64, seed: f64| right("random_pattern", &[n, seed % 8.0 + 1.0]);
+    let for_y_only = |n: f64, seed: f64| {
+        let (mut points, fixed) = (right("random_pattern", &[n, seed]), [n, 0.0]);
+        let fixed = right("random_pattern", &fixed);
+        let all_x = (1..points.len()).step_by(2);
+        all_x.for_each(|i| points[i] = fixed[i]);
+        points
+    };
     let examiner = cases::find("random_pattern").expect("it exists");
     let cases = examiner.cases(&mut visible_rng("random_pattern")).cases;
-    let of_few = answers(examiner, &cases, |q| {
-        Some(right("random_pattern", &[q[0], q[1] % 8.0 + 1.0]))
-    });
-    // One by one they are right.
-    let together: Vec<_> = of_few.into_iter().map(|(got, _)| (got, false)).collect();
-    let found = diagnose(examiner, &cases, &together).expect("it has a name");
-    let told = "ignores the seed, or a part of it";
-    assert_eq!((&*found.name, found.certain), (told, true));
+    for wrong in [&of_few as &dyn Fn(f64, f64) -> Vec<f64>, &for_y_only] {
+        let got = answers(examiner, &cases, |q| Some(wrong(q[0], q[1])));
+        // One by one they are right.
+        let together: Vec<_> = got.into_iter().map(|(got, _)| (got, false)).collect();
+        let found = diagnose(examiner, &cases, &together).expect("it has a name");
+        let told = "ignores the seed, or a part of it, or in one coordinate";
+        assert_eq!((&*found.name, found.certain), (told, true));
+    }
 }
 
 #[test]

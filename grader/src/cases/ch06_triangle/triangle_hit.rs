@@ -279,6 +279,27 @@ impl Graded for TriangleHit {
                 (b2 >= 0.0).then_some(TriangleHitAnswer { b1, b2, ..hit })
             },
         },
+        Mistake {
+            name: "lets the sum of three areas be a hundredth larger than the whole, and so accepts points beyond the edges",
+            hint: "Just beside an edge, by how much do the three areas together exceed the triangle's, and how much of that do you take for rounding?",
+            answer: |q| plane(q, |b1, b2| areas(b1, b2) <= 1.01),
+        },
+        Mistake {
+            name: "takes lengths of cross products for the weights, and lets their sum be a hundredth larger than 1",
+            hint: "Just beside an edge, by how much does the sum of your weights exceed 1, and how much of that do you take for rounding?",
+            answer: |q| {
+                plane(q, |b1, b2| areas(b1, b2) <= 1.01).map(|hit| TriangleHitAnswer {
+                    b1: hit.b1.abs(),
+                    b2: hit.b2.abs(),
+                    ..hit
+                })
+            },
+        },
+        Mistake {
+            name: "accepts points up to a hundredth beyond the edges",
+            hint: "How far below 0 may a weight be, and how far beyond the edge of a triangle of ten metres is that?",
+            answer: |q| plane(q, |b1, b2| b1.min(b2).min(1.0 - b1 - b2) >= -1e-2),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -307,6 +328,11 @@ impl Graded for TriangleHit {
 /// Twice the triangle's area, as a vector along its normal.
 pub(super) fn normal(q: &TriangleHit) -> Vec3 {
     (q.p1 - q.p0).cross(q.p2 - q.p0)
+}
+
+/// The areas of the three triangles that a point makes with the edges, without their signs, as a share of the whole.
+fn areas(b1: f32, b2: f32) -> f32 {
+    (1.0 - b1 - b2).abs() + b1.abs() + b2.abs()
 }
 
 /// The hit of the triangle's plane, if the weights there are to one's taste.

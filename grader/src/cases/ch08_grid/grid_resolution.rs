@@ -293,6 +293,18 @@ impl Graded for GridResolution {
                 Cell { x, y, z }
             },
         },
+        Mistake {
+            name: "keeps a thin axis in the volume, and makes one cell of all where the volume is 0",
+            hint: "A flat scene has hardly any volume, or none: into how many cells do you cut its two long sides?",
+            answer: |q| {
+                let volume = q.extents.element_product();
+                whole(if volume > 0.0 {
+                    q.extents * (cells(q) / volume).cbrt()
+                } else {
+                    Vec3::ONE
+                })
+            },
+        },
     ];
 }
 

@@ -153,7 +153,7 @@ impl Graded for OctreeChild {
         Mistake {
             name: "takes the cell for a cube: half of its extent along x is half of the others too",
             hint: "A cell reaches from y = 0 to y = 4: at which y is its middle, if the cell is 2 long along x?",
-            answer: |q| bits(q.p.cmpge(q.min + 0.5 * (q.max.x - q.min.x))),
+            answer: |q| in_cube(q, (q.max - q.min).x),
         },
         Mistake {
             name: "swaps x and y",
@@ -199,11 +199,26 @@ impl Graded for OctreeChild {
                 n.checked_ilog2().map_or(0, |highest| 1 << highest)
             },
         },
+        Mistake {
+            name: "takes the cell for a cube: half of its longest side is half of the others too",
+            hint: "A cell reaches from y = 0 to y = 2: at which y is its middle, if the cell is 4 long along x?",
+            answer: |q| in_cube(q, (q.max - q.min).max_element()),
+        },
+        Mistake {
+            name: "takes the cell for a cube: half of its shortest side is half of the others too",
+            hint: "A cell reaches from y = 0 to y = 4: at which y is its middle, if the cell is 2 long along x?",
+            answer: |q| in_cube(q, (q.max - q.min).min_element()),
+        },
     ];
 }
 
 pub(super) fn bits(above: glam::BVec3) -> u32 {
     above.bitmask()
+}
+
+/// The child, if the cell were a cube with sides of this length.
+fn in_cube(q: &OctreeChild, side: f32) -> u32 {
+    bits(q.p.cmpge(q.min + 0.5 * side))
 }
 
 /// The child, where a point on the middle plane of the axis of this bit is in the lower half.

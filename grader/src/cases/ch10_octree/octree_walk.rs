@@ -449,19 +449,45 @@ impl Graded for OctreeWalk {
                 })
             },
         },
+        Mistake {
+            name: "takes the order of the children, at all levels, from the root's octant in which the ray begins",
+            hint: "A ray begins before the root's middle plane and moves away from it: which half of a small cell on its way does it meet first?",
+            answer: |q| in_turn(q, octant(q, q.ray.origin)),
+        },
+        Mistake {
+            name: "takes the order of the children, at all levels, from the root's octant that the ray enters first",
+            hint: "A ray enters the root before its middle plane and moves away from it: which half of a small cell on its way does it meet first?",
+            answer: |q| {
+                let root = Aabb::new(q.min, q.max);
+                let inside = slab::clip(&root, &q.ray, q.within);
+                inside.map_or(Vec::new(), |inside| {
+                    in_turn(q, octant(q, q.ray.at(inside.min)))
+                })
+            },
+        },
     ];
 }
 
 /// The right leaves in the order of a walk that turns other bits of the children's numbers.
 fn ordered(q: &OctreeWalk, turned: fn([f32; 3]) -> u32) -> Vec<u32> {
+    in_turn(q, turned(q.ray.direction.to_array()))
+}
+
+/// The same, from the bits themselves.
+fn in_turn(q: &OctreeWalk, turned: u32) -> Vec<u32> {
     let right = OctreeWalk::right(q);
     let mut found = Vec::new();
-    below(q, 0, turned(q.ray.direction.to_array()), &mut |node| {
+    below(q, 0, turned, &mut |node| {
         if right.contains(&node) {
             found.push(node);
         }
     });
     found
+}
+
+/// The number of the root's child in which a point lies; of the nearest one, for a point outside.
+fn octant(q: &OctreeWalk, p: Vec3) -> u32 {
+    p.cmpgt(0.5 * (q.min + q.max)).bitmask()
 }
 
 /// The bits of the axes along which a direction goes down.

@@ -243,6 +243,16 @@ impl Graded for SahCost {
             hint: "The children of node 2 need not be nodes 5 and 6: which number of a branch says where its children are?",
             answer: |q| as_if_full(q, 0) / q.nodes.first().map_or(1.0, node_area),
         },
+        Mistake {
+            name: "multiplies the probability of each node by those of all branches above it",
+            hint: "You divide each area by the root's: is that the share of all rays that meet the node, or of those that meet its parent?",
+            answer: |q| q.nodes.first().map_or(0.0, |root| by_ancestors(q, root)),
+        },
+        Mistake {
+            name: "weighs by the square of the area",
+            hint: "A node has half the root's area: which part of the rays that meet the root meets the node? How often is it in your product?",
+            answer: |q| measured(q, |n| node_area(n).powi(2)),
+        },
     ];
 }
 
@@ -297,6 +307,16 @@ fn by_parents(q: &SahCost, node: usize, share: f32) -> f32 {
         by_parents(q, child, area / node_area(node))
     });
     own + below[0] + below[1]
+}
+
+/// What a node and all below it cost, if all of that counts by the node's share of the root's area.
+fn by_ancestors(q: &SahCost, node: &NodeRow) -> f32 {
+    let share = node_area(node) / q.nodes.first().map_or(1.0, node_area);
+    let below = match node.count {
+        0 => children(q, node).map(|child| by_ancestors(q, child)).sum(),
+        _ => 0.0,
+    };
+    share * (node_price(q, node) + below)
 }
 
 /// What a node and all below it cost, times the root's area, if each branch asks its first child only, and counts that some times.

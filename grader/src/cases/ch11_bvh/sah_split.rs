@@ -4,7 +4,10 @@ mod choices;
 
 use super::{area, around, center, crowd, heaps, no_dearer, whole_less_left};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use choices::{cheapest, cut_with, fewer_faces, least, longest, once, sorted_again, split, sum};
+use choices::{
+    between_buckets, cheapest, cut_with, fewer_faces, least, longest, once, sorted_again, split,
+    sum,
+};
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
@@ -512,6 +515,26 @@ impl Graded for SahSplit {
                     .next()
                     .map_or(Vec::new(), |(_, sides)| sides.concat()[..left].to_vec())
             },
+        },
+        Mistake {
+            name: "sorts the centres into eight buckets along each axis, and cuts between buckets only",
+            hint: "Two centres are in one bucket: is the cut between them ever tried?",
+            answer: |q| cut_with(q, between_buckets::<8>),
+        },
+        Mistake {
+            name: "sorts the centres into twelve buckets along each axis, and cuts between buckets only",
+            hint: "Two centres are in one bucket: is the cut between them ever tried?",
+            answer: |q| cut_with(q, between_buckets::<12>),
+        },
+        Mistake {
+            name: "sorts the centres into sixteen buckets along each axis, and cuts between buckets only",
+            hint: "Two centres are in one bucket: is the cut between them ever tried?",
+            answer: |q| cut_with(q, between_buckets::<16>),
+        },
+        Mistake {
+            name: "sorts the centres into 32 buckets along each axis, and cuts between buckets only",
+            hint: "Two centres are in one bucket: is the cut between them ever tried?",
+            answer: |q| cut_with(q, between_buckets::<32>),
         },
     ];
 }

@@ -115,13 +115,8 @@ impl Graded for Refract {
             name: "takes the angles for their sines in Snell's law",
             hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
             answer: |q| {
-                let (n, flat) = (
-                    facing(q),
-                    *q.direction - q.direction.dot(facing(q)) * facing(q),
-                );
-                let angle = flat.length().min(1.0).asin() * ratio(q);
-                (angle <= std::f32::consts::FRAC_PI_2)
-                    .then(|| angle.sin() * flat.normalize_or_zero() - angle.cos() * n)
+                let (angle, refracted) = by_angles(q);
+                (angle <= std::f32::consts::FRAC_PI_2).then_some(refracted)
             },
         },
         Mistake {
@@ -229,6 +224,16 @@ impl Graded for Refract {
                 }
             },
         },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law, but asks by the sines for total reflection",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply, where you ask for total reflection, and after that? Try 60°.",
+            answer: |q| along(q).map(|_| by_angles(q).1),
+        },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law, and never asks for total reflection",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? And what if the angle behind the surface would be more than 90°?",
+            answer: |q| Some(by_angles(q).1),
+        },
     ];
 }
 
@@ -251,6 +256,17 @@ fn along(q: &Refract) -> Option<Vec3> {
     let n = facing(q);
     let along = ratio(q) * (*q.direction - q.direction.dot(n) * n);
     (along.length_squared() < 1.0).then_some(along)
+}
+
+/// n₁/n₂ times the angle of the incoming ray, and the ray at this angle behind the surface.
+fn by_angles(q: &Refract) -> (f32, Vec3) {
+    let n = facing(q);
+    let flat = *q.direction - q.direction.dot(n) * n;
+    let angle = flat.length().min(1.0).asin() * ratio(q);
+    (
+        angle,
+        angle.sin() * flat.normalize_or_zero() - angle.cos() * n,
+    )
 }
 
 /// η i + (η cos θ₁ − √(1 − η²(1 − cos²θ₁))) n.

@@ -17,6 +17,9 @@ const ALONG_HINT: &str =
 const ONE_AXIS_HINT: &str =
     "A surface askew to all axes: how far off it does a step along one of them lead?";
 
+/// What leads to an error that is a length, and no share of one.
+const RELATIVE_HINT: &str = "The error is in metres already: is a point that is far from the world's origin wrong by more than that?";
+
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     let right = ShadowRay::right(q);
@@ -26,6 +29,12 @@ fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
         within,
         ..right
     }
+}
+
+/// The right answer, with a start as far off as if the error were so many times as large.
+fn relative(q: &ShadowRay, times: f32) -> Way {
+    let step = (2.0 * times * q.error).copysign(q.normal.dot(*q.toward));
+    starting(q, q.position + step * *q.normal, 0.0)
 }
 
 /// The right answer, with another end.
@@ -92,7 +101,13 @@ impl Graded for ShadowRay {
         };
         // On the wrong side the step is everybody's own choice too.
         let is_mirrored = !starts && starts_off(&asked, &mirrored).is_ok();
-        let ends = ends_before(&asked, &got).is_ok();
+        // An end that is right for a right start is everybody's own choice, also where the start is wrong.
+        let from_right = Way {
+            origin: right.origin,
+            ..got.clone()
+        };
+        let ends = ends_before(&asked, &got).is_ok()
+            || !starts && ends_before(&asked, &from_right).is_ok();
         Way {
             origin: if starts {
                 right.origin
@@ -393,6 +408,26 @@ impl Graded for ShadowRay {
                 origin[axis] += (2.0 * q.error).copysign(side);
                 starting(q, origin, 0.0)
             },
+        },
+        Mistake {
+            name: "multiplies the error by the point's largest coordinate, or by 1 if that is more",
+            hint: RELATIVE_HINT,
+            answer: |q| relative(q, q.position.abs().max_element().max(1.0)),
+        },
+        Mistake {
+            name: "multiplies the error by the point's largest coordinate, even if that is less than 1",
+            hint: RELATIVE_HINT,
+            answer: |q| relative(q, q.position.abs().max_element()),
+        },
+        Mistake {
+            name: "multiplies the error by the point's distance from the world's origin, or by 1 if that is more",
+            hint: RELATIVE_HINT,
+            answer: |q| relative(q, q.position.length().max(1.0)),
+        },
+        Mistake {
+            name: "multiplies the error by the point's distance from the world's origin, even if that is less than 1",
+            hint: RELATIVE_HINT,
+            answer: |q| relative(q, q.position.length()),
         },
     ];
 }

@@ -64,6 +64,19 @@ pub(super) fn on_disc(q: &SampleSphereLight, pdf: fn(f32, f32) -> f32) -> Vec<Ch
     })
 }
 
+/// The cone's angle α, of 1 − cos α.
+pub(super) fn angle(cap: f32) -> f32 {
+    2.0 * (0.5 * cap).sqrt().asin()
+}
+
+/// Directions whose θ² is uniform, as if the cone were a flat disc with the radius α; with a density made of 1 − cos α.
+pub(super) fn as_on_disc(q: &SampleSphereLight, pdf: fn(f32) -> f32) -> Vec<Chosen> {
+    cone(q, |u, cap| {
+        let half = 0.5 * u.x.sqrt() * angle(cap);
+        (2.0 * half.sin().powi(2), TAU * u.y, pdf(cap))
+    })
+}
+
 /// Places on a cap of the sphere around an axis, of this height in radii, with the density of uniform ones.
 pub(super) fn on_cap(q: &SampleSphereLight, axis: Dir3, height: f32) -> Vec<Chosen> {
     let basis = Basis::around(axis);

@@ -1,7 +1,9 @@
 //! `sample_sphere_light`: random questions, judge and mistakes.
 
 use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
-use super::cone::{around, cap, cone, dense, on_cap, on_disc, squeezed, wide, with_sine};
+use super::cone::{
+    angle, around, as_on_disc, cap, cone, dense, on_cap, on_disc, squeezed, wide, with_sine,
+};
 use super::flaws;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, dvec2, vec2};
@@ -535,6 +537,26 @@ impl Graded for SampleSphereLight {
                         u.x * cap
                     };
                     (height, TAU * u.y, 1.0 / (TAU * cap))
+                })
+            },
+        },
+        Mistake {
+            name: "makes θ² uniform in the place of cos θ, as on a flat disc",
+            hint: "The rings around the cone's axis grow with sin θ, those of a flat disc with the radius: where do they differ most, in a narrow cone, or inside the light?",
+            answer: |q| as_on_disc(q, |cap| 1.0 / (TAU * cap)),
+        },
+        Mistake {
+            name: "takes the cone for a flat disc whose radius is the cone's angle, for the directions and their density",
+            hint: "From inside the light, its directions fill a whole sphere: how large is that, and how large is your disc?",
+            answer: |q| as_on_disc(q, |cap| 1.0 / (PI * angle(cap).powi(2))),
+        },
+        Mistake {
+            name: "takes π times the square of the cone's angle for the solid angle",
+            hint: "What is the area of a cap of height h on the unit sphere? Is it as large as a flat disc whose radius is the arc?",
+            answer: |q| {
+                cone(q, |u, cap| {
+                    let solid = PI * angle(cap).powi(2);
+                    (u.x * cap, TAU * u.y, 1.0 / solid)
                 })
             },
         },

@@ -602,14 +602,17 @@ impl Graded for VisibleFraction {
     ];
 }
 
-/// The number of samples of which all these fractions are, if it is far less than what is asked for: they are whole parts of it. One between 0 and
-/// 1 is so by chance, and two seldom.
+/// The number of samples of which all these fractions are, if it is so much less than what is asked for that chance does not explain it: they
+/// are whole parts of it. Of each that is neither 0 nor 1, this is so by chance with the probability `few`/`samples`.
 fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
-    let between = fractions.iter().filter(|f| **f > 0.0 && **f < 1.0);
-    if between.count() < 2 {
-        return None;
-    }
+    /// By chance, all are whole parts of one of these numbers with a probability below this.
+    const CHANCE: f32 = 1e-4;
+    let between = fractions.iter().filter(|f| **f > 0.0 && **f < 1.0).count();
     let is_of = |few: &u32| {
+        let share = *few as f32 / samples as f32;
+        if share.powi(between as i32) > CHANCE {
+            return false;
+        }
         let count = |f: &f32| f * *few as f32;
         let is_whole = |f: &f32| (count(f) - count(f).round()).abs() < 1e-3;
         fractions.iter().all(is_whole)

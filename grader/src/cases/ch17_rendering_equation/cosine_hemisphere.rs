@@ -1,6 +1,6 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
-use super::at_height;
+use super::{at_height, farthest};
 use crate::cases::ch16_soft_shadows::{crossed, unless_near};
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
@@ -51,6 +51,12 @@ fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
 fn squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
     let [x, y] = crossed(q.normal, up);
     beside(q, x, y)
+}
+
+/// The same, but the first of the axes is of length 1.
+fn half_squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
+    let [x, y] = crossed(q.normal, up);
+    beside(q, x.normalize_or_zero(), y)
 }
 
 /// Number of directions of a further question: enough that a gap among them is none by chance.
@@ -250,6 +256,11 @@ impl Graded for CosineHemisphere {
             complaint: "the mean of (x²",
             name: "does not go evenly round the normal",
             hint: "Seen from above, are there as many directions to each side? Are your axes of length 1, and perpendicular?",
+        },
+        Flaw {
+            complaint: "over all answers, the mean of cos",
+            name: "makes directions a little too steep or too flat on average: another density, or axes not all of length 1",
+            hint: "Which power of the cosine is your density? How long are the two axes beside the normal, whatever the normal is?",
         },
         Flaw {
             complaint: "the mean of cos",
@@ -471,6 +482,21 @@ impl Graded for CosineHemisphere {
                     vec3(d.x, d.z, d.y)
                 })
             },
+        },
+        Mistake {
+            name: "does not normalise the axes beside the normal, made by cross products with the world's axis farthest from it",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| squeezed(q, farthest(q.normal)),
+        },
+        Mistake {
+            name: "normalises only one of the two axes beside the normal, made by cross products with +y",
+            hint: "Each of the three axes has length 1: which of your cross products has it by itself, and which must be normalised?",
+            answer: |q| half_squeezed(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
+        },
+        Mistake {
+            name: "normalises only one of the two axes beside the normal, made by cross products with +z",
+            hint: "Each of the three axes has length 1: which of your cross products has it by itself, and which must be normalised?",
+            answer: |q| half_squeezed(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
         },
     ];
 }

@@ -3,7 +3,7 @@
 use crate::sample;
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;
-use raybook::math::pcg::Pcg;
+use raybook::math::{dir3::Dir3, pcg::Pcg};
 
 raybook_workbook::ch17_rendering_equation!(graded);
 
@@ -11,6 +11,11 @@ raybook_workbook::ch17_rendering_equation!(graded);
 fn at_height(z: f32, phi: f32) -> Vec3 {
     let r = (1.0 - z * z).max(0.0).sqrt();
     vec3(r * phi.cos(), r * phi.sin(), z)
+}
+
+/// The world's axis that is farthest from a direction and from its opposite.
+fn farthest(direction: Dir3) -> Vec3 {
+    Vec3::AXES[direction.abs().min_position()]
 }
 
 fn colour(rng: &mut Pcg, min: f32, max: f32) -> Rgb {

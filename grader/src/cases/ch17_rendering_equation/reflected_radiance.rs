@@ -6,8 +6,9 @@ use super::colour;
 use crate::together::{Bounds, scattered};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use estimates::{
-    both, brdf_by, by_own_density, cosine, estimated, from_below, half_sphere, highlight, integral,
-    integrated, inverse_sine, lobe, matte, mirrored, under,
+    both, brdf_by, built, by_own_density, clamped, cosine, crossed, estimated, from_below,
+    half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte, mirrored,
+    on_curve, under, uneven,
 };
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -538,6 +539,66 @@ impl Graded for ReflectedRadiance {
             name: "takes a uniform number itself for the radius on the disc, and divides by the density of the cosine",
             hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
             answer: |q| estimated(q, |q, d| 0.5 * inverse_sine(cosine(q, d))),
+        },
+        Mistake {
+            name: "cuts off what is brighter than 1, or another fixed value, in samples chosen by the cosine",
+            hint: "A rare bright sample stands for many that did not come: what becomes of the average if it is made darker?",
+            answer: |q| clamped(q, matte),
+        },
+        Mistake {
+            name: "cuts off what is brighter than 1, or another fixed value, in samples chosen by cosine and highlight",
+            hint: "A rare bright sample stands for many that did not come: what becomes of the average if it is made darker?",
+            answer: |q| clamped(q, both),
+        },
+        Mistake {
+            name: "cuts off what is brighter than 1, or another fixed value, in samples chosen uniformly",
+            hint: "A rare bright sample stands for many that did not come: what becomes of the average if it is made darker?",
+            answer: |q| clamped(q, |_, _| hemisphere::UNIFORM),
+        },
+        Mistake {
+            name: "cuts the radiance off at 1",
+            hint: "A screen shows nothing brighter than 1: is the radiance what a screen shows?",
+            answer: |q| Self::right(q).map(|v| v.min(1.0)),
+        },
+        Mistake {
+            name: "chooses two directions of three by the highlight, and divides by the density of half and half",
+            hint: "How often do you choose a direction in each of your two ways, and which share has each of them in p?",
+            answer: |q| estimated(q, |q, d| uneven(q, 1.0 / 3.0, d)),
+        },
+        Mistake {
+            name: "chooses two directions of three by the cosine, and divides by the density of half and half",
+            hint: "How often do you choose a direction in each of your two ways, and which share has each of them in p?",
+            answer: |q| estimated(q, |q, d| uneven(q, 2.0 / 3.0, d)),
+        },
+        Mistake {
+            name: "chooses three directions of four by the highlight, and divides by the density of half and half",
+            hint: "How often do you choose a direction in each of your two ways, and which share has each of them in p?",
+            answer: |q| estimated(q, |q, d| uneven(q, 0.25, d)),
+        },
+        Mistake {
+            name: "chooses three directions of four by the cosine, and divides by the density of half and half",
+            hint: "How often do you choose a direction in each of your two ways, and which share has each of them in p?",
+            answer: |q| estimated(q, |q, d| uneven(q, 0.75, d)),
+        },
+        Mistake {
+            name: "makes both angles of a direction of one random number, and chooses by the cosine",
+            hint: "Draw your directions on the hemisphere: do they fill it, or do they make a spiral? How many random numbers has each of them?",
+            answer: |q| on_curve(q, &[(q.normal, 1.0)], built, |u| 1.0 - u),
+        },
+        Mistake {
+            name: "makes both angles of a direction of one random number, and chooses by the cosine (axes by cross products)",
+            hint: "Draw your directions on the hemisphere: do they fill it, or do they make a spiral? How many random numbers has each of them?",
+            answer: |q| on_curve(q, &[(q.normal, 1.0)], crossed, |u| 1.0 - u),
+        },
+        Mistake {
+            name: "makes both angles of a direction of one random number, and chooses by cosine and highlight",
+            hint: "Draw your directions on the hemisphere: do they fill it, or do they make a spiral? How many random numbers has each of them?",
+            answer: |q| on_curve(q, &lobes(q), built, |u| 1.0 - u),
+        },
+        Mistake {
+            name: "makes both angles of a direction of one random number, and chooses by cosine and highlight (axes by cross products)",
+            hint: "Draw your directions on the hemisphere: do they fill it, or do they make a spiral? How many random numbers has each of them?",
+            answer: |q| on_curve(q, &lobes(q), crossed, |u| u),
         },
     ];
 }

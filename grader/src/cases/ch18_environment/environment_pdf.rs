@@ -92,6 +92,11 @@ fn quarters(q: &EnvironmentPdf, turns: usize) -> f32 {
     EnvironmentPdf::misread(q, |q| q.direction = toward(d.x, d.y, d.z))
 }
 
+/// A tenth of the mean of the texels.
+fn tenth(q: &EnvironmentPdf) -> f32 {
+    0.1 * q.texels.iter().sum::<f32>() / q.texels.len() as f32
+}
+
 /// The right density, but for a black map.
 fn in_the_dark(q: &EnvironmentPdf, density: f32) -> f32 {
     if q.texels.iter().all(|t| *t == 0.0) {
@@ -493,6 +498,26 @@ impl Graded for EnvironmentPdf {
             name: "returns 0 at the poles",
             hint: "Straight up is a direction as any other: how large is the solid angle of a texel that touches the pole?",
             answer: |q| if is_at_pole(q) { 0.0 } else { Self::right(q) },
+        },
+        Mistake {
+            name: "adds a tenth of the mean to each texel, so that none has the density 0",
+            hint: "With which probability does sample_environment choose a black texel?",
+            answer: |q| {
+                let more = tenth(q);
+                Self::misread(q, |q| q.texels.iter_mut().for_each(|t| *t += more))
+            },
+        },
+        Mistake {
+            name: "adds a tenth of the mean to the direction's texel, and not to those of the integral",
+            hint: "A density's integral over all directions is 1: what is that of yours?",
+            answer: |q| {
+                let all = q.map().all_light();
+                if all > 0.0 {
+                    Self::right(q) + tenth(q) / all as f32
+                } else {
+                    0.0
+                }
+            },
         },
     ];
 

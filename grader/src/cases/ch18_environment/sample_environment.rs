@@ -13,7 +13,9 @@ use raybook::light::environment::latlong;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
-use samplers::{Asked, by_angle, by_solid_angle, direction, elsewhere, in_one_list, in_rows, sine};
+use samplers::{
+    Asked, by_angle, by_solid_angle, direction, elsewhere, in_one_list, in_rows, raised, sine,
+};
 
 impl Graded for SampleEnvironment {
     fn random(rng: &mut Pcg) -> SampleEnvironment {
@@ -443,6 +445,37 @@ impl Graded for SampleEnvironment {
                     by_solid_angle,
                 )
             },
+        },
+        Mistake {
+            name: "adds a tenth of the mean to each texel before it chooses one",
+            hint: "How often should a texel of radiance 1 be chosen beside one of radiance 3, both as large? And a black one?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
+                        raised(q, x, y, 0.1 * sum / q.texels.len() as f64)
+                    },
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "adds the darkest texel's radiance to each texel before it chooses one",
+            hint: "How often should a texel of radiance 1 be chosen beside one of radiance 3, both as large? And a black one?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let least = q.texels.iter().copied().fold(f32::INFINITY, f32::min);
+                        raised(q, x, y, least.into())
+                    },
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "adds a small number such as 0.01 to each texel before it chooses one",
+            hint: "With which probability is a black texel to be chosen, and what is the answer for a black map?",
+            answer: |q| q.sampled(|q, x, y| raised(q, x, y, 0.01), by_solid_angle),
         },
     ];
 }

@@ -181,6 +181,33 @@ impl Graded for PanoramaRay {
                 ray(q, cos * tilted + sin * *q.right)
             },
         },
+        Mistake {
+            name: "goes straight from the horizon to up, and normalises, so that the angle does not grow evenly",
+            hint: "A third of the way from the horizon to up, how many degrees high is your direction? What makes an angle grow evenly?",
+            answer: |q| {
+                let ray = straight_up(q);
+                CameraRayAnswer {
+                    direction: ray.direction.normalize_or_zero(),
+                    ..ray
+                }
+            },
+        },
+        Mistake {
+            name: "goes straight from the horizon to up, and does not normalise",
+            hint: "How long is a vector half of the way between two perpendicular ones, and how long must a direction be?",
+            answer: straight_up,
+        },
+        Mistake {
+            name: "goes straight from forward to right, and on to the back, and normalises",
+            hint: "A third of the way from forward to right, by how many degrees have you turned? What makes an angle grow evenly?",
+            answer: |q| {
+                let turns = 4.0 * (q.film.x - 0.5);
+                let across = (1.0 - (turns.abs() - 1.0).abs()).copysign(turns);
+                let level = (1.0 - turns.abs()) * *q.forward + across * *q.right;
+                let (sin, cos) = (PI * q.film.y).sin_cos();
+                ray(q, sin * level.normalize_or_zero() + cos * *q.up)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -221,6 +248,14 @@ fn at_height(q: &PanoramaRay, height: f32) -> CameraRayAnswer {
     let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
     let level = cos * *q.forward + sin * *q.right;
     ray(q, (level + height * *q.up).normalize_or_zero())
+}
+
+/// The ray at the right longitude, to a place on the straight line from the horizon to up, or to down.
+fn straight_up(q: &PanoramaRay) -> CameraRayAnswer {
+    let (sin, cos) = (TAU * (q.film.x - 0.5)).sin_cos();
+    let up = 1.0 - 2.0 * q.film.y;
+    let level = cos * *q.forward + sin * *q.right;
+    ray(q, (1.0 - up.abs()) * level + up * *q.up)
 }
 
 /// The ray of a pin-hole camera whose film is flat, a metre away, and reaches this far to each side.

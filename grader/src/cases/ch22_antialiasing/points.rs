@@ -55,9 +55,9 @@ pub const TOGETHER: Flaw = Flaw {
 
 /// What is wrong where [`crate::together::seeded`] complains.
 pub const SEED: Flaw = Flaw {
-    complaint: "give the same points",
-    name: "ignores the seed, or a part of it",
-    hint: "What does your generator start from: from all of the seed, or from some of its digits?",
+    complaint: "what does your generator start from",
+    name: "ignores the seed, or a part of it, or in one coordinate",
+    hint: "What does your generator start from: from all of the seed, or from some of its digits? Do all your random numbers come from it?",
 };
 
 /// What is wrong where [`crate::together::serial`] complains.

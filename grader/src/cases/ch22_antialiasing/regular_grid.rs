@@ -180,5 +180,20 @@ impl Graded for RegularGrid {
                 other_cells(q, square, |cell, count| (cell.x + 0.5) / count)
             },
         },
+        Mistake {
+            name: "adds half of a cell's width along y too, and not half of its height",
+            hint: "A cell may be wider than it is high: how far is its middle from its upper edge, and how far from its left one?",
+            answer: |q| cells(q, |cell, count| cell / count + 0.5 / count.x),
+        },
+        Mistake {
+            name: "adds half of a cell's height along x too, and not half of its width",
+            hint: "A cell may be wider than it is high: how far is its middle from its upper edge, and how far from its left one?",
+            answer: |q| cells(q, |cell, count| cell / count + 0.5 / count.y),
+        },
+        Mistake {
+            name: "adds half of a cell's height along x, and half of its width along y",
+            hint: "A cell may be wider than it is high: how far is its middle from its upper edge, and how far from its left one?",
+            answer: |q| cells(q, |cell, count| cell / count + 0.5 / vec2(count.y, count.x)),
+        },
     ];
 }

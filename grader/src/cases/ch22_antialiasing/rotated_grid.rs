@@ -172,7 +172,7 @@ impl Graded for RotatedGrid {
         Flaw {
             complaint: "points are missing",
             name: "leaves out points of the lattice that are in the square",
-            hint: "A fine lattice has many points in the square: over which i and j do you go?",
+            hint: "Over which i and j do you go? How far is it from the middle of the square to its corners, and how far does the offset move the lattice?",
         },
         Flaw {
             complaint: "points are there twice",

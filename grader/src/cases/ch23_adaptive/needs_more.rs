@@ -8,7 +8,9 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
-use rules::{by_one_limit, by_weights, error_of, of_luminance, of_pairs, running};
+use rules::{
+    by_one_limit, by_weights, darkest_and_brightest, error_of, of_luminance, of_pairs, running,
+};
 
 impl Graded for NeedsMore {
     fn random(rng: &mut Pcg) -> NeedsMore {
@@ -489,6 +491,30 @@ impl Graded for NeedsMore {
             name: "squares the difference from the mean after in a running variance, not multiplied by that from the mean before",
             hint: "Two samples, 0 and 1: what is their variance, and what does your recurrence make of it?",
             answer: |q| running(q, 0, |_, after| after * after),
+        },
+        Mistake {
+            name: "takes each channel's contrast between the samples of least and of greatest luminance",
+            hint: "One sample may be the darkest in blue and another one in green: whose values are max and min of a channel?",
+            answer: |q| {
+                let ends: Vec<_> = darkest_and_brightest(q).into_iter().collect();
+                decide(q, of_pairs(q, &ends), standard_error(q))
+            },
+        },
+        Mistake {
+            name: "subtracts the sample of least luminance from that of greatest luminance, channel by channel, for the contrast",
+            hint: "May a channel be darker in the brighter one of two samples? Whose values are max and min of a channel?",
+            answer: |q| {
+                let limits = q.contrast.channels();
+                let contrast = darkest_and_brightest(q).is_some_and(|ends| {
+                    let [dark, bright] = ends.map(|sample| sample.channels());
+                    let is_above = |i: usize| {
+                        let sum = bright[i] + dark[i];
+                        sum > 0.0 && (bright[i] - dark[i]) / sum > limits[i]
+                    };
+                    (0..3).any(is_above)
+                });
+                decide(q, contrast, standard_error(q))
+            },
         },
     ];
 }

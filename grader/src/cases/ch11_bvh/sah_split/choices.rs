@@ -4,6 +4,7 @@ use super::{cuts, sah, sah_of, whole};
 use crate::cases::ch11_bvh::{around, center, without_faces};
 use crate::upon::changed;
 use glam::Vec3;
+use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch11_bvh::SahSplit;
 use raybook_workbook::tree_rows::BoxRow;
 
@@ -53,6 +54,27 @@ pub(super) fn cut_with(q: &SahSplit, cut: Cut) -> Vec<u32> {
 pub(super) fn fewer_faces<const AXIS: usize>(q: &SahSplit, side: &[u32]) -> f32 {
     let (bounds, count) = whole(q, side);
     without_faces(bounds.size(), AXIS) * count
+}
+
+/// The cost of both sides, if the cut is one between two of this number of buckets, which are equally long and hold all centres; else ∞.
+pub(super) fn between_buckets<const BUCKETS: usize>(
+    q: &SahSplit,
+    side: Side,
+    axis: usize,
+    sides: &[Vec<u32>; 2],
+) -> f32 {
+    let place = |i: u32| center(&q.boxes[i as usize])[axis];
+    let all = Aabb::of(q.boxes.iter().map(center));
+    let bucket = |i: &u32| {
+        let share = BUCKETS as f32 * (place(*i) - all.min[axis]) / all.size()[axis];
+        (share as usize).min(BUCKETS - 1)
+    };
+    let [left, right] = sides;
+    if left.last().map(bucket) == right.first().map(bucket) {
+        f32::INFINITY
+    } else {
+        sum(q, side, axis, sides)
+    }
 }
 
 /// The left side of the cut with the least cost: of its axis and its two sides, cut by cut.

@@ -1,7 +1,8 @@
 //! Means of estimates of the reflected radiance, as integrals: the right one, and those of wrong estimates. A wrong estimate may choose
 //! directions by one density and divide by another.
 
-use crate::cases::ch17_rendering_equation::at_height;
+use crate::cases::ch16_soft_shadows;
+use crate::cases::ch17_rendering_equation::{at_height, farthest};
 use crate::upon::changed;
 use glam::Vec3;
 use raybook::image::rgb::Rgb;
@@ -92,6 +93,64 @@ pub(super) fn highlight(q: &ReflectedRadiance, n: f32, d: Dir3) -> f32 {
 /// The density of directions of which half are chosen by the cosine and half by the highlight.
 pub(super) fn both(q: &ReflectedRadiance, d: Dir3) -> f32 {
     0.5 * (matte(q, d) + highlight(q, q.exponent, d))
+}
+
+/// The weight of a direction, of which this share is chosen by the cosine and the rest by the highlight, that is divided by the density of
+/// half and half.
+pub(super) fn uneven(q: &ReflectedRadiance, by_cosine: f32, d: Dir3) -> f32 {
+    let gloss = highlight(q, q.exponent, d);
+    (by_cosine * matte(q, d) + (1.0 - by_cosine) * gloss) / both(q, d)
+}
+
+/// The mean of samples of this density, each channel of which is at most 1.
+pub(super) fn clamped(q: &ReflectedRadiance, density: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
+    let [sum] = integral(q.normal, |d| {
+        let light = q.brdf().value(q.normal, q.view, d) * q.sky(d) * cosine(q, d);
+        let most = density(q, d);
+        [light.map(|v| v.min(most))]
+    });
+    sum
+}
+
+/// The axes and exponents of the two lobes of which half of the directions are each: that of the cosine, and the highlight's.
+pub(super) fn lobes(q: &ReflectedRadiance) -> [(Dir3, f32); 2] {
+    [(q.normal, 1.0), (mirrored(q), q.exponent)]
+}
+
+/// The axes beside a direction that the library builds.
+pub(super) fn built(z: Dir3) -> [Vec3; 2] {
+    let Basis { x, y, .. } = Basis::around(z);
+    [*x, *y]
+}
+
+/// The axes beside a direction that are cross products with the world's axis farthest from it.
+pub(super) fn crossed(z: Dir3) -> [Vec3; 2] {
+    ch16_soft_shadows::crossed(z, -farthest(z)).map(Vec3::normalize_or_zero)
+}
+
+/// The mean of samples of such lobes, as many of each, if one number makes both angles of a direction: the directions are on a curve, by the axes
+/// beside that of the lobe. `height` is the power n + 1 of the cosine of a direction of the exponent n.
+pub(super) fn on_curve(
+    q: &ReflectedRadiance,
+    lobes: &[(Dir3, f32)],
+    axes: fn(Dir3) -> [Vec3; 2],
+    height: fn(f32) -> f32,
+) -> Rgb {
+    const STEPS: u32 = 1000;
+    let count = lobes.len() as f32;
+    let mut sum = Rgb::BLACK;
+    for (axis, n) in lobes {
+        let [x, y] = axes(*axis);
+        for step in 0..STEPS {
+            let u = (step as f32 + 0.5) / STEPS as f32;
+            let d = at_height(height(u).powf(1.0 / (n + 1.0)), TAU * u);
+            let d = Dir3::new_or(d.x * x + d.y * y + d.z * **axis, *axis);
+            let sum_of_densities: f32 = lobes.iter().map(|(axis, n)| lobe(**axis, *n, d)).sum();
+            let weight = count * cosine(q, d).max(0.0) / sum_of_densities.max(1e-9);
+            sum += q.brdf().value(q.normal, q.view, d) * q.sky(d) * weight;
+        }
+    }
+    sum / (STEPS as f32 * count)
 }
 
 /// The viewer's mirror direction.

@@ -59,6 +59,11 @@ pub(super) fn sine(q: &SampleEnvironment, row: usize, place: f64) -> f64 {
     angle.sin().abs()
 }
 
+/// What a texel counts for, if something is added to the radiance of each.
+pub(super) fn raised(q: &SampleEnvironment, x: usize, y: usize, by: f64) -> f64 {
+    (q.texel(x, y) + by) * q.solid_angle(y)
+}
+
 /// A column and a row, and the shares of the way to the right and of the area downwards in that texel.
 pub(super) type Place = ([usize; 2], [f32; 2]);
 

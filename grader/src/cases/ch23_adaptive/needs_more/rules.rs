@@ -15,6 +15,14 @@ pub(super) fn of_luminance(q: &NeedsMore, limit: f32) -> u32 {
     decide(q, ratio([max, min]) > limit, standard_error(q))
 }
 
+/// The samples of the least and of the greatest luminance, the first of several.
+pub(super) fn darkest_and_brightest(q: &NeedsMore) -> Option<[&Rgb; 2]> {
+    let by_luminance = |one: &&Rgb, other: &&Rgb| one.luminance().total_cmp(&other.luminance());
+    let darkest = q.samples.iter().min_by(by_luminance)?;
+    let brightest = q.samples.iter().rev().max_by(by_luminance)?;
+    Some([darkest, brightest])
+}
+
 /// Whether a channel's contrast is above its limit in any two samples of those pairs.
 pub(super) fn of_pairs(q: &NeedsMore, pairs: &[[&Rgb; 2]]) -> bool {
     let limits = q.contrast.channels();

@@ -287,16 +287,14 @@ fn unexplained(diagnosis: &Diagnosis) -> Option<String> {
         return None;
     }
     let explained = diagnosis.explained + apart.map(|also| also.explained).sum::<usize>();
-    match diagnosis.wrong.saturating_sub(explained) {
-        0 => None,
-        1 => Some(
-            "  The other wrong answer has another cause: mend this first, and check again."
-                .to_owned(),
-        ),
-        left => Some(format!(
-            "  The other {left} wrong answers have another cause: mend this first, and check again."
-        )),
-    }
+    let other = match diagnosis.wrong.saturating_sub(explained) {
+        0 => return None,
+        1 => "the other wrong answer".to_owned(),
+        left => format!("the other {left} wrong answers"),
+    };
+    Some(format!(
+        "  This does not explain {other}: mend it, and check again."
+    ))
 }
 
 /// What a mistake of this name explains, behind a word that joins it to the one before.

@@ -19,7 +19,7 @@ use rand::rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
 use std::convert::Infallible;
 
 /// Edge of the tiles of a film whose pixels share a sequence, in pixels.
-const TILE: usize = 64;
+const TILE: u64 = 64;
 
 /// The random numbers of one sample of a pixel, pair after pair.
 ///
@@ -45,16 +45,21 @@ impl Even {
     /// The numbers of sample `index` of `samples`, in the sequence with this key, as a pixel has one.
     #[inline]
     pub fn new(key: u64, index: usize, samples: usize) -> Self {
+        Self::piece(key, index as u64, samples.next_power_of_two() as u64)
+    }
+
+    /// The same, where `samples` is a power of two.
+    #[inline]
+    fn piece(key: u64, index: u64, samples: u64) -> Self {
         Self {
             key,
             mirrored: (index as u32).reverse_bits(),
-            digits: (samples.next_power_of_two() - 1) as u32,
+            digits: (samples - 1) as u32,
             pairs: 0,
             second: None,
         }
     }
 
-    // ANCHOR: of_pixel
     /// The numbers of sample `index` of `samples`, in the pixel of this column and row of a film with this seed.
     ///
     /// The pixels of a tile share one sequence, of which each has a piece. The pieces follow each other along Morton's curve, on which
@@ -63,13 +68,12 @@ impl Even {
     /// (Ahmed and Wonka, "Screen-space blue-noise diffusion of Monte Carlo sampling error via hierarchical ordering of pixels", 2020).
     #[inline]
     pub fn of_pixel(seed: u64, [x, y]: [usize; 2], index: usize, samples: usize) -> Self {
-        let tile = ((y / TILE) << 32 | (x / TILE)) as u64;
+        let [x, y, index, samples] = [x, y, index, samples].map(|n| n as u64);
         let samples = samples.next_power_of_two();
         let before = spread(x % TILE) | spread(y % TILE) << 1;
-        let key = mix(seed ^ mix(tile));
-        Self::new(key, before * samples + index, TILE * TILE * samples)
+        let key = mix(seed ^ mix((y / TILE) << 32 | x / TILE));
+        Self::piece(key, before * samples + index, TILE * TILE * samples)
     }
-    // ANCHOR_END: of_pixel
 
     /// The next pair, in [0, 1)².
     #[inline]
@@ -109,7 +113,7 @@ impl TryRng for Even {
 
 /// The six binary digits of a place in a tile, with a 0 before each.
 #[inline]
-fn spread(place: usize) -> usize {
+fn spread(place: u64) -> u64 {
     let fours = (place | place << 4) & 0x30f;
     let twos = (fours | fours << 2) & 0x333;
     (twos | twos << 1) & 0x555

@@ -80,6 +80,26 @@ fn two_mistakes_in_the_same_answers_are_one_explanation() {
 }
 
 #[test]
+fn what_a_mistake_does_not_explain_is_counted() {
+    let report = report("encode_srgb", |_, question| {
+        let value: f32 = question.trim().parse().expect("a number");
+        let code = if value > 0.5 {
+            (7.3 * value).sin().abs()
+        } else {
+            value.max(0.0).powf(1.0 / 2.2)
+        };
+        Said::Answer(code.to_string().into())
+    });
+    let told = told(&report);
+    let left: Vec<_> = told
+        .lines()
+        .filter(|line| line.starts_with("  This does not explain the other "))
+        .collect();
+    assert_eq!(left.len(), 1, "{told}");
+    assert!(told.contains(" look as if your function "), "{told}");
+}
+
+#[test]
 fn an_unknown_mistake() {
     let off = |examiner: &dyn Examiner, question: &str| match right(examiner, question) {
         Said::Answer(t) if t.unescaped() != "none" => {

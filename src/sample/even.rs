@@ -71,7 +71,7 @@ impl Even {
         let [x, y, index, samples] = [x, y, index, samples].map(|n| n as u64);
         let samples = samples.next_power_of_two();
         let before = spread(x % TILE) | spread(y % TILE) << 1;
-        let key = mix(seed ^ mix((y / TILE) << 32 | x / TILE));
+        let key = mix(seed ^ mix(((y / TILE) << 32) | (x / TILE)));
         Self::piece(key, before * samples + index, TILE * TILE * samples)
     }
 

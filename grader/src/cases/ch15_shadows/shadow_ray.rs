@@ -31,7 +31,7 @@ fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     }
 }
 
-/// The right answer, with a start as far off as if the error were so many times as large.
+/// The right answer, with a start as far off as if the error were `times` times as large.
 fn relative(q: &ShadowRay, times: f32) -> Way {
     let step = (2.0 * times * q.error).copysign(q.normal.dot(*q.toward));
     starting(q, q.position + step * *q.normal, 0.0)

@@ -70,8 +70,8 @@ pub struct WideBvh {
     kernel: Kernel,
 }
 
-/// Size of a tree, in bytes, that the caches of a processor's core hold.
-const AT_HAND: usize = 1 << 20;
+/// Size of a tree, in bytes, that a processor's last cache holds.
+const AT_HAND: usize = 16 << 20;
 
 impl WideBvh {
     /// The tree that is best for its time, with the best instructions of this processor. Long thin triangles are cut into parts.
@@ -109,7 +109,7 @@ impl WideBvh {
     /// The nearest hit of each ray, as [`Accel::closest`] finds it.
     ///
     /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
-    /// A small tree is within the processor's caches, and its rays are followed one after the other.
+    /// A tree of less than 16 MiB is within the processor's caches, and its rays are followed one after the other.
     pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
         if self.tree.searched_bytes() > AT_HAND {
             return self.in_turns(rays, within);

@@ -28,8 +28,35 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Found>
         }
     }
     found.retain(Found::holds);
-    best(found)
+    best(without_trifles(found))
 }
+
+/// The explanations without pairs of which one mistake alone gives nearly all answers, if the other is a guess: a guess gives what rounding
+/// decides by chance, and is told as a mistake that nobody made.
+fn without_trifles(mut found: Vec<Found>) -> Vec<Found> {
+    let alone = found.iter().filter(|one| one.then.is_none());
+    let alone = alone.filter(|one| one.is_own() && one.score.contradicted == 0);
+    let alone: Vec<_> = alone
+        .map(|one| (one.name.clone(), one.score.explained))
+        .collect();
+    found.retain(|pair| {
+        let Some((then, _)) = &pair.then else {
+            return true;
+        };
+        let is_half = |name: &String| name == &pair.name || name == then;
+        let gives_nearly_all = |explained: usize| {
+            FEW_LEFT * pair.score.explained.saturating_sub(explained) <= explained
+        };
+        pair.is_of_own()
+            || !alone
+                .iter()
+                .any(|(name, explained)| is_half(name) && gives_nearly_all(*explained))
+    });
+    found
+}
+
+/// One mistake gives nearly all answers of a pair if it gives this many for each one that it leaves.
+const FEW_LEFT: usize = 5;
 
 /// The best: of the exercise's own mistakes that agree as well as each other, the one that is nearest to all answers. Of those that yes
 /// and no cannot tell apart, the second is its rival; of estimates, which scatter, a factor is, too, and what nearly explains them; and so

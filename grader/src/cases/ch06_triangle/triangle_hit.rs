@@ -260,8 +260,8 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "takes lengths of cross products for the weights, which are never negative, and so meets points outside",
-            hint: "Beyond an edge one of the weights is negative: can a length be?",
+            name: "takes the weights without their signs, as absolute values or as lengths of cross products, and so meets points outside",
+            hint: "Beyond an edge one of the weights is negative: what becomes of its sign in your function?",
             answer: |q| {
                 let TriangleHitAnswer { t, b1, b2 } =
                     plane(q, |b1, b2| b1.abs() + b2.abs() <= 1.0)?;
@@ -270,7 +270,7 @@ impl Graded for TriangleHit {
             },
         },
         Mistake {
-            name: "takes lengths of cross products for the first weight and b1, and what they lack of 1 for b2",
+            name: "takes the first weight and b1 without their signs, as absolute values or as lengths of cross products, and what they lack of 1 for b2",
             hint: "Two points lie on both sides of the edge from p0 to p2, and as far from it: how do your weights tell which is inside?",
             answer: |q| {
                 let hit = plane(q, |_, _| true)?;
@@ -285,7 +285,7 @@ impl Graded for TriangleHit {
             answer: |q| plane(q, |b1, b2| areas(b1, b2) <= 1.01),
         },
         Mistake {
-            name: "takes lengths of cross products for the weights, and lets their sum be a hundredth larger than 1",
+            name: "takes the weights without their signs, as absolute values or as lengths of cross products, and lets their sum be a hundredth larger than 1",
             hint: "Just beside an edge, by how much does the sum of your weights exceed 1, and how much of that do you take for rounding?",
             answer: |q| {
                 plane(q, |b1, b2| areas(b1, b2) <= 1.01).map(|hit| TriangleHitAnswer {

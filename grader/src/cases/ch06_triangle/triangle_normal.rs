@@ -29,8 +29,8 @@ impl Graded for TriangleNormal {
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {
-            name: "points to the other side",
-            hint: "Curl the fingers of your right hand from p0 over p1 to p2: where does the thumb point?",
+            name: "exchanges the factors of the cross product, or has the sign of one of them wrong, and so points to the other side",
+            hint: "Curl the fingers of your right hand from p0 over p1 to p2: where does the thumb point? From your first factor to your second, do they curl the same way?",
             answer: |q| TriangleNormal::right(q).map(|n| -n),
         },
         Mistake {

@@ -547,5 +547,16 @@ impl Graded for OctreeBuild {
             hint: "Print the depth that is left for each of the eight children: are they the same?",
             answer: |q| by(q, |rule| rule.times = |child| [child + 1, 1]),
         },
+        Mistake {
+            name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell, but cuts no empty cell",
+            hint: "What does a ray pay in a cell of two shapes that is not cut, however many shapes the scene has?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        n > 0.0 && q.opening + 0.25 * sum(parts) < q.shapes.len() as f32
+                    }
+                })
+            },
+        },
     ];
 }

@@ -289,6 +289,15 @@ impl Graded for BlinnPhongExercise {
             hint: "Put the light below the surface: does anything of it arrive?",
             answer: |q| BlinnPhongExercise::right(q) + ambient(&q.at),
         },
+        Mistake {
+            name: "takes half of the angle between R and V for the angle between N and H",
+            hint: "Let L, N and V lie in one plane, and then turn V out of it: does the angle between R and V still grow twice as fast as that between N and H?",
+            answer: |q| {
+                // The cosine of half an angle.
+                let cosine = (0.5 + 0.5 * mirrored(&q.at).dot(*q.at.view)).max(0.0).sqrt();
+                with_highlight(&q.at, power(cosine, &q.at))
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -5,6 +5,10 @@ use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch14_refraction::Refract;
+use std::f32::consts::FRAC_PI_2;
+
+/// Rounding moves an angle by less than this, in radians.
+const ROUNDING: f32 = 1e-5;
 
 impl Graded for Refract {
     fn random(rng: &mut Pcg) -> Refract {
@@ -116,7 +120,7 @@ impl Graded for Refract {
             hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
             answer: |q| {
                 let (angle, refracted) = by_angles(q);
-                (angle <= std::f32::consts::FRAC_PI_2).then_some(refracted)
+                is_surely_below_90_degrees(angle).then_some(refracted)
             },
         },
         Mistake {
@@ -143,11 +147,8 @@ impl Graded for Refract {
             name: "takes the angles for their sines in Snell's law, but multiplies the direction by the ratio",
             hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
             answer: |q| {
-                let (n, eta) = (facing(q), ratio(q));
-                let cos1 = (-q.direction.dot(n)).clamp(-1.0, 1.0);
-                let angle = eta * cos1.acos();
-                (angle <= std::f32::consts::FRAC_PI_2)
-                    .then(|| eta * *q.direction + (eta * cos1 - angle.cos()) * n)
+                let (angle, refracted) = by_angles_and_ratio(q);
+                is_surely_below_90_degrees(angle).then_some(refracted)
             },
         },
         Mistake {
@@ -234,6 +235,22 @@ impl Graded for Refract {
             hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? And what if the angle behind the surface would be more than 90°?",
             answer: |q| Some(by_angles(q).1),
         },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law, and lets a ray at exactly 90° through",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
+            answer: |q| {
+                let (angle, refracted) = by_angles(q);
+                (angle <= FRAC_PI_2 + ROUNDING).then_some(refracted)
+            },
+        },
+        Mistake {
+            name: "takes the angles for their sines in Snell's law, and lets a ray at exactly 90° through, but multiplies the direction by the ratio",
+            hint: "n₁ sin θ₁ = n₂ sin θ₂: which function of the angle do you multiply? Try 60°.",
+            answer: |q| {
+                let (angle, refracted) = by_angles_and_ratio(q);
+                (angle <= FRAC_PI_2 + ROUNDING).then_some(refracted)
+            },
+        },
     ];
 }
 
@@ -267,6 +284,19 @@ fn by_angles(q: &Refract) -> (f32, Vec3) {
         angle,
         angle.sin() * flat.normalize_or_zero() - angle.cos() * n,
     )
+}
+
+/// The same angle, and η i + (η cos θ₁ − cos θ₂) n with it.
+fn by_angles_and_ratio(q: &Refract) -> (f32, Vec3) {
+    let (n, eta) = (facing(q), ratio(q));
+    let cos1 = (-q.direction.dot(n)).clamp(-1.0, 1.0);
+    let angle = eta * cos1.acos();
+    (angle, eta * *q.direction + (eta * cos1 - angle.cos()) * n)
+}
+
+/// Whether an angle is below 90°, and not 90° but for rounding, as that of a ray out of glass of index 1.5 at 60°.
+fn is_surely_below_90_degrees(angle: f32) -> bool {
+    angle < FRAC_PI_2 - ROUNDING
 }
 
 /// η i + (η cos θ₁ − √(1 − η²(1 − cos²θ₁))) n.

@@ -599,6 +599,11 @@ impl Graded for VisibleFraction {
             hint: "A line has no ends: between which two points of it are obstacles?",
             answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, f32::INFINITY]),
         },
+        Mistake {
+            name: "subtracts the share that each ball alone would hide, and takes 0 where less is left",
+            hint: "Where two shadows overlap, how often do you count what is hidden there?",
+            answer: |q| past_each(q, |free, alone| less_each(free, alone).max(0.0)),
+        },
     ];
 }
 

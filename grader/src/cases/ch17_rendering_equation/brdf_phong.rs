@@ -13,7 +13,16 @@ fn phong(q: &BrdfPhong, cos_alpha: f32, matte: f32, norm: f32) -> Rgb {
     if q.normal.dot(*q.toward) <= 0.0 || q.normal.dot(*q.view) <= 0.0 {
         return Rgb::BLACK;
     }
-    q.diffuse * matte + q.specular * (norm * cos_alpha.max(0.0).powf(q.exponent))
+    q.diffuse * matte + q.specular * (norm * highlight(q, cos_alpha))
+}
+
+/// cosⁿ α, and 0 where α is above 90°, even if n is 0.
+fn highlight(q: &BrdfPhong, cos_alpha: f32) -> f32 {
+    if cos_alpha > 0.0 {
+        cos_alpha.powf(q.exponent)
+    } else {
+        0.0
+    }
 }
 
 fn cos_alpha(q: &BrdfPhong) -> f32 {
@@ -129,7 +138,7 @@ impl Graded for BrdfPhong {
             name: "lights the surface from behind",
             hint: "A lamp hangs under a table: what does its light do to the table's top?",
             answer: |q| {
-                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                let highlight = highlight(q, cos_alpha(q));
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },
@@ -174,7 +183,7 @@ impl Graded for BrdfPhong {
                 if q.normal.dot(*q.toward) <= 0.0 {
                     return Rgb::BLACK;
                 }
-                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                let highlight = highlight(q, cos_alpha(q));
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },
@@ -185,7 +194,7 @@ impl Graded for BrdfPhong {
                 if q.normal.dot(*q.view) <= 0.0 {
                     return Rgb::BLACK;
                 }
-                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                let highlight = highlight(q, cos_alpha(q));
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },
@@ -220,8 +229,10 @@ impl Graded for BrdfPhong {
             name: "has a highlight beyond 90° where n is 0",
             hint: "What is 0 to the power of 0, and what is the highlight beyond 90°?",
             answer: |q| {
-                if q.exponent == 0.0 {
-                    phong(q, 1.0, 1.0 / PI, norm(q))
+                let is_above = |d: &Dir3| q.normal.dot(**d) > 0.0;
+                if q.exponent == 0.0 && is_above(&q.toward) && is_above(&q.view) {
+                    // The power of any cosine is 1: so is that of α = 0.
+                    Self::misread(q, |q| (q.toward, q.view) = (q.normal, q.normal))
                 } else {
                     Self::right(q)
                 }
@@ -252,7 +263,7 @@ impl Graded for BrdfPhong {
                 if is_below(&q.toward) && is_below(&q.view) {
                     return Rgb::BLACK;
                 }
-                let highlight = cos_alpha(q).max(0.0).powf(q.exponent);
+                let highlight = highlight(q, cos_alpha(q));
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },

@@ -59,6 +59,17 @@ fn half_squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
     beside(q, x.normalize_or_zero(), y)
 }
 
+/// The lattice's images by an axis of the world itself, and by one perpendicular to it and to the normal, in the place of two axes beside the
+/// normal. They are not of length 1.
+fn leaning(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
+    let x = q.normal.cross(up).normalize_or_zero();
+    let image = |u: Vec2| {
+        let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
+        d.x * x + d.y * up + d.z * *q.normal
+    };
+    lattice(q.n).map(image).collect()
+}
+
 /// Number of directions of a further question: enough that a gap among them is none by chance.
 const MANY: u32 = 1000;
 
@@ -497,6 +508,29 @@ impl Graded for CosineHemisphere {
             name: "normalises only one of the two axes beside the normal, made by cross products with +z",
             hint: "Each of the three axes has length 1: which of your cross products has it by itself, and which must be normalised?",
             answer: |q| half_squeezed(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
+        },
+        Mistake {
+            name: "takes +x itself for one of the two axes beside the normal",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| {
+                let up = unless_near(q.normal, Vec3::X, Vec3::Y);
+                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
+            },
+        },
+        Mistake {
+            name: "takes +x itself for one of the two axes beside the normal, and does not normalise",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| leaning(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
+        },
+        Mistake {
+            name: "takes +y itself for one of the two axes beside the normal, and does not normalise",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| leaning(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
+        },
+        Mistake {
+            name: "takes +z itself for one of the two axes beside the normal, and does not normalise",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| leaning(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
         },
     ];
 }

@@ -208,6 +208,11 @@ impl Graded for PanoramaRay {
                 ray(q, sin * level.normalize_or_zero() + cos * *q.up)
             },
         },
+        Mistake {
+            name: "does not shorten the part along the horizon as the direction rises or falls, and normalises the sum",
+            hint: "Straight up, how much of the direction is along the horizon, and how much of yours before you normalise? Half way up, how much?",
+            answer: |q| at_height(q, (PI * q.film.y).cos()),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -30,11 +30,11 @@ fn inside(points: Vec<Vec2>) -> Vec<Vec2> {
     points.into_iter().filter(keep).collect()
 }
 
-/// The points to which some steps along the lattice lead, of two whole numbers each.
-fn steps(q: &RotatedGrid, takes: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+/// The points to which some steps along the lattice lead, of two whole numbers each, turned in a sense.
+fn steps(q: &RotatedGrid, sense: f32, takes: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
     let points = lattice(q, |p| {
         if takes((p - q.offset).round()) {
-            turned(p, 1.0)
+            turned(p, sense)
         } else {
             Vec2::INFINITY
         }
@@ -51,13 +51,53 @@ fn moved(q: &RotatedGrid, sense: f32, by: Vec2) -> Vec<Vec2> {
     }))
 }
 
-/// The points that are in the square before they are rotated about its middle.
-fn inside_before(q: &RotatedGrid) -> Vec<Vec2> {
-    let half = 0.5 / q.spacing;
+/// The points to which no more than `reach` steps along each axis of the lattice lead, turned in a sense.
+fn within_reach(q: &RotatedGrid, sense: f32, reach: f32) -> Vec<Vec2> {
+    steps(q, sense, |step| step.abs().max_element() <= reach)
+}
+
+/// The same without the last step along each axis, as a loop from −n to n leaves it out that ends before n.
+fn without_last_step(q: &RotatedGrid, sense: f32, reach: f32) -> Vec<Vec2> {
+    steps(q, sense, |step| {
+        step.min_element() >= -reach && step.max_element() < reach
+    })
+}
+
+/// Steps of the lattice that fit into half of the square's side, and a part of one.
+fn half_of_side(q: &RotatedGrid) -> f32 {
+    0.5 / q.spacing
+}
+
+/// Whole steps of the lattice that fit into half of the square's diagonal.
+fn half_of_diagonal(q: &RotatedGrid) -> f32 {
+    (FRAC_1_SQRT_2 / q.spacing).floor()
+}
+
+/// The points to which no negative steps along the lattice lead, turned in a sense.
+fn without_negative(q: &RotatedGrid, sense: f32) -> Vec<Vec2> {
+    steps(q, sense, |step| step.min_element() >= 0.0)
+}
+
+/// The four points around i = j = 0, turned in a sense.
+fn four_points(q: &RotatedGrid, sense: f32) -> Vec<Vec2> {
+    let cells = [[0.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [-1.0, -1.0]];
+    let place = |cell| 0.5 + q.spacing * turned(Vec2::from_array(cell) + q.offset, sense);
+    inside(cells.map(place).to_vec())
+}
+
+/// The lattice, turned about the square's corner in a sense.
+fn about_corner(q: &RotatedGrid, sense: f32) -> Vec<Vec2> {
+    let half = half_of_side(q);
+    inside(lattice(q, |p| turned(p + half, sense) - half))
+}
+
+/// The points that are in the square before they are rotated about its middle, in a sense.
+fn inside_before(q: &RotatedGrid, sense: f32) -> Vec<Vec2> {
+    let half = half_of_side(q);
     lattice(q, |p| {
         let is_inside = p.cmpge(Vec2::splat(-half)).all() && p.cmplt(Vec2::splat(half)).all();
         if is_inside {
-            turned(p, 1.0)
+            turned(p, sense)
         } else {
             Vec2::INFINITY
         }
@@ -215,32 +255,22 @@ impl Graded for RotatedGrid {
         Mistake {
             name: "keeps only four points",
             hint: "A fine lattice has many points in the square: over which i and j do you go?",
-            answer: |q| {
-                let cells = [[0.0, 0.0], [-1.0, 0.0], [0.0, -1.0], [-1.0, -1.0]];
-                let place = |cell| 0.5 + q.spacing * turned(Vec2::from_array(cell) + q.offset, 1.0);
-                inside(cells.map(place).to_vec())
-            },
+            answer: |q| four_points(q, 1.0),
         },
         Mistake {
-            name: "goes half of the square's side from its middle, and comes not into its corners",
+            name: "lets i and j go only as far as half of the square's side, and does not come into its corners",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| {
-                let reach = (0.5 / q.spacing).ceil();
-                steps(q, |step| step.abs().max_element() <= reach)
-            },
+            answer: |q| within_reach(q, 1.0, half_of_side(q).ceil()),
         },
         Mistake {
             name: "takes no negative steps along the lattice",
             hint: "Where i = j = 0 lies the middle: which points lie on the other side of it?",
-            answer: |q| steps(q, |step| step.min_element() >= 0.0),
+            answer: |q| without_negative(q, 1.0),
         },
         Mistake {
             name: "rotates about the corner",
             hint: "Which point of the square stays where it is when you rotate?",
-            answer: |q| {
-                let corner = |p: Vec2| turned(p + 0.5 / q.spacing, 1.0) - 0.5 / q.spacing;
-                inside(lattice(q, corner))
-            },
+            answer: |q| about_corner(q, 1.0),
         },
         Mistake {
             name: "keeps what is outside",
@@ -303,25 +333,77 @@ impl Graded for RotatedGrid {
         Mistake {
             name: "takes no more steps along the lattice than fit into half of the square's side",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| {
-                let reach = (0.5 / q.spacing).floor();
-                steps(q, |step| step.abs().max_element() <= reach)
-            },
+            answer: |q| within_reach(q, 1.0, half_of_side(q).floor()),
         },
         Mistake {
             name: "keeps the points that are in the square before the rotation",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: inside_before,
+            answer: |q| inside_before(q, 1.0),
         },
         Mistake {
             name: "keeps only the points that are in the square before the rotation and after it",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: |q| inside(inside_before(q)),
+            answer: |q| inside(inside_before(q, 1.0)),
         },
         Mistake {
             name: WRAPPED,
             hint: WRAPPED_HINT,
             answer: wrapped,
+        },
+        Mistake {
+            name: "lets i and j go only as far as half of the square's side, and does not come into its corners (in a lattice turned clockwise)",
+            hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
+            answer: |q| within_reach(q, -1.0, half_of_side(q).ceil()),
+        },
+        Mistake {
+            name: "takes no more steps along the lattice than fit into half of the square's side (in a lattice turned clockwise)",
+            hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
+            answer: |q| within_reach(q, -1.0, half_of_side(q).floor()),
+        },
+        Mistake {
+            name: "lets i and j go only as far as half of the square's side, and leaves out the last of both",
+            hint: "Does your loop come to its last number, or does it end before? And how far is it from the middle of the square to its corners?",
+            answer: |q| without_last_step(q, 1.0, half_of_side(q).ceil()),
+        },
+        Mistake {
+            name: "lets i and j go only as far as half of the square's side, and leaves out the last of both (in a lattice turned clockwise)",
+            hint: "Does your loop come to its last number, or does it end before? And how far is it from the middle of the square to its corners?",
+            answer: |q| without_last_step(q, -1.0, half_of_side(q).ceil()),
+        },
+        Mistake {
+            name: "lets i and j go only as far as half of the square's diagonal, and no further for the offset",
+            hint: "A lattice that is moved by its offset begins further away on one side: how many steps more must i and j take?",
+            answer: |q| within_reach(q, 1.0, half_of_diagonal(q)),
+        },
+        Mistake {
+            name: "lets i and j go only as far as half of the square's diagonal, and no further for the offset (in a lattice turned clockwise)",
+            hint: "A lattice that is moved by its offset begins further away on one side: how many steps more must i and j take?",
+            answer: |q| within_reach(q, -1.0, half_of_diagonal(q)),
+        },
+        Mistake {
+            name: "takes no negative steps along the lattice (in a lattice turned clockwise)",
+            hint: "Where i = j = 0 lies the middle: which points lie on the other side of it?",
+            answer: |q| without_negative(q, -1.0),
+        },
+        Mistake {
+            name: "keeps only four points (in a lattice turned clockwise)",
+            hint: "A fine lattice has many points in the square: over which i and j do you go?",
+            answer: |q| four_points(q, -1.0),
+        },
+        Mistake {
+            name: "rotates about the corner (in a lattice turned clockwise)",
+            hint: "Which point of the square stays where it is when you rotate?",
+            answer: |q| about_corner(q, -1.0),
+        },
+        Mistake {
+            name: "keeps the points that are in the square before the rotation (in a lattice turned clockwise)",
+            hint: "Which points must be in the square: the rotated ones, or those before?",
+            answer: |q| inside_before(q, -1.0),
+        },
+        Mistake {
+            name: "keeps only the points that are in the square before the rotation and after it (in a lattice turned clockwise)",
+            hint: "Which points must be in the square: the rotated ones, or those before?",
+            answer: |q| inside(inside_before(q, -1.0)),
         },
     ];
 }

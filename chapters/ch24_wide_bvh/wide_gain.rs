@@ -5,6 +5,7 @@ use crate::kit::figure::Figure;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::{Kernel, WideBvh};
 use raybook::accel::{Accel, Tests};
+use raybook::inside::wide_bvh::in_turns;
 use raybook::math::interval::Interval;
 use raybook::math::pcg;
 use raybook::math::ray::Ray;
@@ -88,7 +89,7 @@ pub(super) fn gain(rays: &[Ray], two: &Bvh<Facet>, eight: &WideBvh, note: &str) 
             each(rays, &|ray| eight.closest(ray, ahead).is_some());
         }),
         ("16 rays in turn", &|rays| {
-            black_box(eight.closest_many(rays, ahead));
+            black_box(in_turns(eight, rays, ahead));
         }),
     ];
     let mut seconds = [0.0; 4];

@@ -24,7 +24,8 @@ use crate::sample::even::Even;
 use glam::Vec2;
 use rand::RngExt;
 
-/// Numbers of samples are below this power of two, on which the order of a pixel's samples depends.
+/// Length of the sequence of which a pixel takes the first samples: more than any pixel takes. It is the same for all pixels, so that the
+/// samples do not depend on how many will follow.
 const MOST: usize = 1 << 31;
 
 /// A picture, and the number of samples of each pixel.
@@ -69,7 +70,7 @@ pub struct Limits {
 /// Each pixel gets `limits.first` samples, and their number is doubled until the [`StoppingRule`] is kept (Whitted 1980; Mitchell
 /// 1987).
 ///
-/// A pixel's samples are the beginning of one Sobol sequence with Owen's scrambling ([`Even`]): so all of them together are as even
+/// A pixel's samples follow each other in one Sobol sequence with Owen's scrambling ([`Even`]): so all of them together are as even
 /// as if their number had been known before.
 pub fn adaptive<S: Into<Followed>>(
     film: &Film,

@@ -21,7 +21,7 @@ use crate::math::pcg::{self, Pcg};
 use crate::memory::gigabytes;
 use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::filter::Filter;
-use crate::sample::pattern::sobol::sobol;
+use crate::sample::pattern::sobol::{sobol, unit};
 use crate::threads;
 use glam::{Vec2, vec2};
 use rand::RngExt;
@@ -41,11 +41,11 @@ pub struct Film<'a> {
     pub width: usize,
     /// Rows.
     pub height: usize,
-    /// Samples per pixel, at least 1.
+    /// Samples per pixel, at least 1; a power of two is spread most evenly.
     pub samples: usize,
     /// The seed of all random numbers.
     pub seed: u64,
-    /// The filter by which the samples become pixels. One that is wider than a pixel takes memory: 16 bytes for each pixel in its reach.
+    /// The filter by which the samples become pixels. One that is wider than a pixel takes memory: 32 bytes for each pixel in its reach.
     pub filter: Filter,
     /// Number of threads, at least 1; the picture does not depend on it.
     pub threads: usize,
@@ -127,7 +127,8 @@ impl Film<'_> {
                 ..self.halved()
             })
         };
-        let halves = [half(self.seed), half(self.seed.wrapping_add(1))];
+        // Neighbouring seeds must not share a half.
+        let halves = [half(self.seed), half(pcg::mix(self.seed))];
         let goes_on = || (self.progress)(Done::default()).is_continue();
         let denoised = denoise_while(&halves, guides, &goes_on);
         let [first, _] = halves;
@@ -259,8 +260,6 @@ pub fn place_in_pixel(samples: usize, rng: &mut Pcg) -> impl Fn(usize) -> Vec2 +
             return Vec2::splat(0.5);
         }
         let [x, y] = sobol(i as u32);
-        // An `f32` has 24 binary digits: with more, this could round to 1.
-        let unit = |bits: u32| (bits >> 8) as f32 / (1 << 24) as f32;
         vec2(unit(x ^ flipped[0]), unit(y ^ flipped[1]))
     }
 }

@@ -15,19 +15,27 @@
 use crate::image::{Image, around, rgb::Rgb};
 use crate::render::film::{Done, Film, Pixel};
 use crate::render::followed::Followed;
-use glam::{Vec2, vec2};
+use glam::{DVec3, Vec2, Vec3, vec2};
 
-/// Σ w L and Σ w of samples.
+/// Σ w L, channel by channel, and Σ w of samples. Sums of `f32` would lose what many samples add.
 #[derive(Clone, Copy, Debug, Default)]
 struct Weighted {
-    light: Rgb,
-    weights: f32,
+    light: DVec3,
+    weights: f64,
 }
 
 impl Weighted {
-    fn add(&mut self, light: Rgb, weights: f32) {
-        self.light += light;
-        self.weights += weights;
+    /// Adds a sample of this weight.
+    fn add(&mut self, light: Rgb, weight: f32) {
+        let weight = f64::from(weight);
+        self.light += weight * Vec3::from(light.channels()).as_dvec3();
+        self.weights += weight;
+    }
+
+    /// Adds the sums of other samples, times a number.
+    fn add_sums(&mut self, other: &Self, times: f64) {
+        self.light += times * other.light;
+        self.weights += times * other.weights;
     }
 
     /// Σ w L/Σ w; black if the sum of the weights is 0.
@@ -35,7 +43,8 @@ impl Weighted {
         if self.weights == 0.0 {
             Rgb::BLACK
         } else {
-            self.light / self.weights
+            let [r, g, b] = (self.light / self.weights).as_vec3().to_array();
+            Rgb::new(r, g, b)
         }
     }
 }
@@ -68,7 +77,7 @@ impl Gathered {
             }
             let add = |to: &mut Weighted, offset: Vec2| {
                 let weight = film.filter.weight(offset);
-                to.add(seen.radiance * weight, weight);
+                to.add(seen.radiance, weight);
             };
             add(&mut gathered.own, p - 0.5);
             for (i, to) in gathered.around.iter_mut().enumerate() {
@@ -83,9 +92,9 @@ impl Gathered {
     /// These samples and further ones of the same pixel.
     pub(crate) fn and(mut self, rest: &Self) -> Self {
         self.count += rest.count;
-        self.own.add(rest.own.light, rest.own.weights);
+        self.own.add_sums(&rest.own, 1.0);
         for (to, more) in self.around.iter_mut().zip(&rest.around) {
-            to.add(more.light, more.weights);
+            to.add_sums(more, 1.0);
         }
         self
     }
@@ -125,8 +134,8 @@ impl Film<'_> {
                 let place = (y + reach - j) * (2 * reach + 1) + (x + reach - i);
                 // A pixel that was not drawn, because the film was ended, has no samples.
                 if let Some(part) = at(i, j).around.get(place) {
-                    let area = 1.0 / at(i, j).count.max(1) as f32;
-                    sum.add(part.light * area, part.weights * area);
+                    let area = 1.0 / at(i, j).count.max(1) as f64;
+                    sum.add_sums(part, area);
                 }
             }
             sum.mean()

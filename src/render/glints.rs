@@ -63,7 +63,7 @@ pub fn add_glints(
         }
         let covered = FRAC_PI_4 * diameter.powi(2) / pixel;
         let rays = (PER_PIXEL * covered).clamp(RAYS[0], RAYS[1]) as usize;
-        let points = place_in_pixel(rays, &mut pcg::stream(film.seed, i));
+        let points = place_in_pixel(rays, &mut pcg::stream(pcg::mix(film.seed), i));
         for point in (0..rays).map(points) {
             let Some(arrival) = camera.arrival(light.position, camera.aperture.point(point)) else {
                 continue;

@@ -219,7 +219,7 @@ impl Lobes {
             return self.scatter(seen, view, rng);
         }
         let all = self.delta_share + self.rest;
-        let (mut left, mut next) = (rng.random::<f32>() * all, None);
+        let (mut left, mut next) = (choice(rng) * all, None);
         seen.material.delta_lobes(&seen.surface, view, &mut |lobe| {
             let share = lobe.share.max_channel();
             if next.is_none() && left < share {
@@ -261,6 +261,13 @@ impl Lobes {
 fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(MAX_SURVIVAL);
-    (rng.random::<f32>() < q).then(|| weight / q)
+    (choice(rng) < q).then(|| weight / q)
 }
 // ANCHOR_END: roulette
+
+/// A number for a choice. Numbers come in pairs, whose points are evenly spread ([`Even`](crate::sample::even::Even)): the second one is left
+/// out, so that the next two are a pair again.
+fn choice(rng: &mut dyn Rng) -> f32 {
+    let [number, _]: [f32; 2] = rng.random();
+    number
+}

@@ -20,9 +20,10 @@ use crate::render::{followed::Followed, gather::Gathered};
 use crate::sample::even::Even;
 use arrayvec::ArrayVec;
 use glam::Vec2;
+use std::sync::atomic::{AtomicBool, Ordering};
 
-/// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2, because one
-/// sample has no deviation.
+/// Number of first samples of every pixel, for `all` samples per pixel: 4, or half of `all` below 8, but at least 2 if there are as many,
+/// because one sample has no deviation.
 fn first_of(all: usize) -> usize {
     (all / 2).clamp(2, FIRST).min(all)
 }
@@ -59,8 +60,8 @@ impl Film<'_> {
     }
 
     /// As [`Film::evenly`], but a pixel gets all samples only if its first samples differ much; otherwise its number of samples
-    /// is proportional to their standard deviation, rounded up to a power of two, and at least 4 (2 if the film has fewer than 8
-    /// samples per pixel) (Whitted 1980; Neyman 1934).
+    /// is proportional to their standard deviation, rounded up to a power of two, and at least 4, or 2 if the film has fewer than 6
+    /// samples per pixel (Whitted 1980; Neyman 1934).
     ///
     /// The standard deviation is that of the pixel and its eight neighbours, because the pixel's first samples may have missed an
     /// edge. Details that all first samples miss are not found. So for light that is found by chance, as in path tracing and
@@ -85,12 +86,13 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
     let all = film.samples;
     let first = first_of(all);
     // Half of each pixel is done with its first samples, and half with the rest.
+    let is_ended = AtomicBool::new(false);
     let begins = Film {
         progress: &|done| {
-            (film.progress)(Done {
-                pixels: done.pixels.div_ceil(2),
-                ..done
-            })
+            let pixels = done.pixels.div_ceil(2);
+            let flow = (film.progress)(Done { pixels, ..done });
+            is_ended.fetch_or(flow.is_break(), Ordering::Relaxed);
+            flow
         },
         ..*film
     };
@@ -99,6 +101,10 @@ fn refined(film: &Film, radiance: &Radiance) -> Image {
         let seen: ArrayVec<_, FIRST> = (0..first).map(seen).collect();
         Begun::by(film, &seen)
     });
+    if is_ended.into_inner() {
+        let samples: Vec<_> = begun.into_iter().map(|pixel| pixel.samples).collect();
+        return film.develop(&samples);
+    }
     let again = Film {
         progress: &|done| {
             (film.progress)(Done {

@@ -12,18 +12,24 @@
 //! ```
 
 use crate::math::pcg::mix;
-use crate::sample::pattern::sobol::sobol;
+use crate::sample::pattern::sobol::{sobol, unit};
 use glam::{Vec2, vec2};
 use rand::TryRng;
 use rand::rand_core::utils::{fill_bytes_via_next_word, next_u64_via_u32};
 use std::convert::Infallible;
 
-/// Edge of the tiles of a film whose pixels share a sequence, in pixels.
-const TILE: u64 = 64;
+/// Edge of the squares of a film whose pixels share a sequence, in pixels.
+///
+/// A filter or an eye averages no more pixels. Pixels that share a sequence also share its luck: of larger squares, one would be seen to be
+/// noisier than the next.
+const SHARED: usize = 8;
+
+/// The binary digits of a number below [`SHARED`], with a 0 in front of each.
+const SPREAD: [u32; SHARED] = [0, 0b1, 0b100, 0b101, 0b1_0000, 0b1_0001, 0b1_0100, 0b1_0101];
 
 /// The random numbers of one sample of a pixel, pair after pair.
 ///
-/// The first pairs of all samples of a pixel are the beginning of a Sobol sequence with Owen's scrambling, in a random order; so
+/// The first pairs of a pixel's 2ᵏ samples are 2ᵏ consecutive points of a Sobol sequence with Owen's scrambling, in a random order; so
 /// are the second pairs, with another order, and so on. So the first 2ᵏ samples fill the square of each pair evenly, and the
 /// points of different pairs are combined at random. Each single sample is uniform, so the estimates stay unbiased (Burley,
 /// "Practical hash-based Owen scrambling", 2020).
@@ -31,10 +37,14 @@ const TILE: u64 = 64;
 pub struct Even {
     /// The key from which all numbers of the sequence follow.
     key: u64,
-    /// The sample's number, from 0, with its bits mirrored.
-    mirrored: u32,
-    /// A mask of the binary digits that indices have: a power of two minus 1.
-    digits: u32,
+    /// The column and the row of the pixel, in its square.
+    pixel: [usize; 2],
+    /// The sample's number, from 0.
+    index: u32,
+    /// Number of samples of a pixel, a power of two.
+    samples: u32,
+    /// A mask of the binary digits of the places in the sequence: its length, a power of two, minus 1.
+    mask: u32,
     /// Number of pairs made.
     pairs: u64,
     /// The second number of the last pair, until it is used.
@@ -42,37 +52,51 @@ pub struct Even {
 }
 
 impl Even {
-    /// The numbers of sample `index` of `samples`, in the sequence with this key, as a pixel has one.
+    /// The numbers of sample `index` of `samples`, in a sequence of its own, which `key` chooses. `index` is below `samples`, and
+    /// `samples` is at most 2³¹.
     #[inline]
     pub fn new(key: u64, index: usize, samples: usize) -> Self {
-        Self::piece(key, index as u64, samples.next_power_of_two() as u64)
-    }
-
-    /// The same, where `samples` is a power of two.
-    #[inline]
-    fn piece(key: u64, index: u64, samples: u64) -> Self {
+        let samples = (samples.min(1 << 31) as u32).next_power_of_two();
         Self {
             key,
-            mirrored: (index as u32).reverse_bits(),
-            digits: (samples - 1) as u32,
+            pixel: [0, 0],
+            index: index as u32,
+            samples,
+            mask: samples - 1,
             pairs: 0,
             second: None,
         }
     }
 
-    /// The numbers of sample `index` of `samples`, in the pixel of this column and row of a film with this seed.
+    /// The numbers of sample `index` of `samples`, in the pixel of this column and row of a film with this seed. `index` is below
+    /// `samples`, and `samples` is at most 2²⁶.
     ///
-    /// The pixels of a tile share one sequence, of which each has a piece. The pieces follow each other along Morton's curve, on which
-    /// two, four, eight … pixels side by side come one after the other: so their samples together fill the square of each pair evenly,
-    /// too. Where one pixel is too bright, its neighbours are too dark, and less noise is left when an eye or a filter takes them together
-    /// (Ahmed and Wonka, "Screen-space blue-noise diffusion of Monte Carlo sampling error via hierarchical ordering of pixels", 2020).
+    /// The pixels of a square of 8 × 8 share a sequence, of which each has a piece. The pieces follow each other along Morton's curve
+    /// (Morton 1966), on which 2 × 2 and 4 × 4 pixels come one after the other. So if a pixel takes all samples, and their number is a power
+    /// of two, the samples of such a block together fill the square of each pair evenly, too: errors that come from one pair mostly
+    /// cancel, and less noise is left when an eye or a filter takes the pixels together (Ahmed and Wonka, "Screen-space blue-noise diffusion
+    /// of Monte Carlo sampling error via hierarchical ordering of pixels", 2020). Errors that several pairs make together cancel less, the
+    /// more samples there are. Pixels of different squares are independent.
+    ///
+    /// ```
+    /// use raybook::sample::even::Even;
+    ///
+    /// // Of four pixels with one sample each, one has its sample in each quarter of the pixel.
+    /// let quarter = |pixel| Even::of_pixel(7, pixel, 0, 1).pair().to_array().map(|v| v >= 0.5);
+    /// let mut quarters = [[0, 0], [1, 0], [0, 1], [1, 1]].map(quarter);
+    /// quarters.sort();
+    /// assert_eq!(quarters, [[false, false], [false, true], [true, false], [true, true]]);
+    /// ```
     #[inline]
     pub fn of_pixel(seed: u64, [x, y]: [usize; 2], index: usize, samples: usize) -> Self {
-        let [x, y, index, samples] = [x, y, index, samples].map(|n| n as u64);
-        let samples = samples.next_power_of_two();
-        let before = spread(x % TILE) | spread(y % TILE) << 1;
-        let key = mix(seed ^ mix(((y / TILE) << 32) | (x / TILE)));
-        Self::piece(key, before * samples + index, TILE * TILE * samples)
+        let square = ((y / SHARED) as u64) << 32 | (x / SHARED) as u64;
+        let alone = Self::new(mix(seed ^ mix(square)), index, samples);
+        let pixels = (SHARED * SHARED) as u32;
+        Self {
+            pixel: [x % SHARED, y % SHARED],
+            mask: alone.samples.wrapping_mul(pixels).wrapping_sub(1),
+            ..alone
+        }
     }
 
     /// The next pair, in [0, 1)².
@@ -80,8 +104,21 @@ impl Even {
     pub fn pair(&mut self) -> Vec2 {
         let Ok(first) = self.try_next_u32();
         let Ok(second) = self.try_next_u32();
-        let unit = |bits: u32| (bits >> 8) as f32 / (1 << 24) as f32;
         vec2(unit(first), unit(second))
+    }
+
+    /// The sample's place in the sequence. Which of its three neighbours in a 2 × 2 block comes next to a pixel is `choice` modulo 3: so no
+    /// direction is preferred.
+    #[inline]
+    fn place(&self, choice: u32) -> u32 {
+        let [x, y] = self.pixel;
+        let [low, high] = match choice % 3 {
+            0 => [x, y],
+            1 => [y, x],
+            _ => [x, x ^ y],
+        };
+        let before = SPREAD[low] | SPREAD[high] << 1;
+        before.wrapping_mul(self.samples) | self.index
     }
 }
 
@@ -96,8 +133,10 @@ impl TryRng for Even {
         let key = |i| mix(self.key ^ mix(2 * self.pairs + i));
         let (order, keys) = (key(0), key(1));
         self.pairs += 1;
-        // The mask keeps the index below the power of two: the samples are a permutation of this part of the sequence.
-        let [x, y] = sobol(hash(self.mirrored, order as u32).reverse_bits() & self.digits);
+        // The places are shuffled. Each digit of the new place depends on the digits before it only: so a run of 2ᵏ places, from a multiple
+        // of 2ᵏ on, stays such a run, and a pixel, or a block of pixels, stays even. The mask keeps the place in the sequence.
+        let place = scramble(self.place((order >> 32) as u32), order as u32) & self.mask;
+        let [x, y] = sobol(place);
         self.second = Some(scramble(y, (keys >> 32) as u32));
         Ok(scramble(x, keys as u32))
     }
@@ -111,28 +150,16 @@ impl TryRng for Even {
     }
 }
 
-/// The six binary digits of a place in a tile, with a 0 before each.
-#[inline]
-fn spread(place: u64) -> u64 {
-    let fours = (place | place << 4) & 0x30f;
-    let twos = (fours | fours << 2) & 0x333;
-    (twos | twos << 1) & 0x555
-}
-
 /// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries
 /// digits only to higher places, so each digit of the mirrored number depends only on lower digits and on the key (Laine and
 /// Karras 2011, with the constants of Vegdahl, "Building a better LK hash", 2021).
 #[inline]
 pub(crate) fn scramble(bits: u32, key: u32) -> u32 {
-    hash(bits.reverse_bits(), key).reverse_bits()
-}
-
-/// [`scramble`], of a mirrored number and with a mirrored result.
-#[inline]
-fn hash(mut x: u32, key: u32) -> u32 {
+    let mut x = bits.reverse_bits();
     x ^= x.wrapping_mul(0x3d20_adea);
     x = x.wrapping_add(key);
     x = x.wrapping_mul((key >> 16) | 1);
     x ^= x.wrapping_mul(0x0552_6c56);
-    x ^ x.wrapping_mul(0x53a2_2864)
+    x ^= x.wrapping_mul(0x53a2_2864);
+    x.reverse_bits()
 }

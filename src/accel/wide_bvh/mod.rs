@@ -70,8 +70,9 @@ pub struct WideBvh {
     kernel: Kernel,
 }
 
-/// Size of a tree, in bytes, that a processor's last cache holds.
-const AT_HAND: usize = 16 << 20;
+/// Size of the nodes and leaves, in bytes, up to which the last cache of a large processor holds them. Measured with caches of 32 MB and
+/// more: benches/peers/README.md.
+const IN_LAST_CACHE: usize = 16 << 20;
 
 impl WideBvh {
     /// The tree that is best for its time, with the best instructions of this processor. Long thin triangles are cut into parts.
@@ -109,9 +110,9 @@ impl WideBvh {
     /// The nearest hit of each ray, as [`Accel::closest`] finds it.
     ///
     /// Faster than one ray after the other where rays go their own ways through a large mesh, for then they wait for memory.
-    /// A tree of less than 16 MiB is within the processor's caches, and its rays are followed one after the other.
+    /// In a tree whose nodes and leaves take up to 16 MiB, they do so seldom, and are followed one after the other.
     pub fn closest_many(&self, rays: &[Ray], within: Interval) -> Vec<Option<(&Facet, Hit)>> {
-        if self.tree.searched_bytes() > AT_HAND {
+        if self.tree.searched_bytes() > IN_LAST_CACHE {
             return self.in_turns(rays, within);
         }
         rays.iter().map(|ray| self.closest(ray, within)).collect()

@@ -28,3 +28,9 @@ pub fn sobol(i: u32) -> [u32; 2] {
     [i.reverse_bits(), sum.reverse_bits()]
 }
 // ANCHOR_END: sobol
+
+/// The 24 highest binary digits as a number in [0, 1): an `f32` has no more, and with more the number could round to 1.
+#[inline]
+pub(crate) fn unit(bits: u32) -> f32 {
+    (bits >> 8) as f32 / (1 << 24) as f32
+}

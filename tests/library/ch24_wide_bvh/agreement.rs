@@ -103,7 +103,8 @@ fn a_batch_answers_each_ray_in_its_place() {
             "{ray:?}"
         );
     }
-    let large = WideBvh::new(soup(60_000, 5).facets());
+    let large = WideBvh::build(soup(600_000, 5).facets(), Method::Binned);
+    assert!(large.bytes() > 48 << 20, "too large for a cache");
     for tree in [tree, large] {
         let many = tree.closest_many(&rays, Interval::AHEAD);
         assert!(

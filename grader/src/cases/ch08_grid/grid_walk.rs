@@ -1,9 +1,11 @@
 //! `grid_walk`: random questions, judge and mistakes.
 
+mod marching;
 mod walks;
 
 use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
+use marching::{MARCHES, MARCHES_HINT, SHORT, less_than_a_step, marched};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
@@ -48,36 +50,7 @@ impl Graded for GridWalk {
     }
 
     fn judge(q: &GridWalk, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
-        got.iter().try_for_each(|visit| is_there(q, visit))?;
-        let (right, yours) = (passed(q, golden), passed(q, got));
-        for (i, golden) in right.iter().enumerate() {
-            let cell = golden.cell();
-            let Some(got) = yours.get(i) else {
-                return Err(format!(
-                    "your walk ends after {i} cells, and the ray goes on through cell {cell}"
-                ));
-            };
-            if got.cell() != cell {
-                return Err(format!(
-                    "cell {} of your walk is {}, and the ray passes through {cell} there",
-                    i + 1,
-                    got.cell()
-                ));
-            }
-            judge::number(
-                &format!("the distance at which it leaves {cell}"),
-                "m",
-                golden.leave,
-                got.leave,
-            )?;
-        }
-        match yours.get(right.len()) {
-            Some(more) => Err(format!(
-                "your walk goes on to cell {}, but there the ray is through already",
-                more.cell()
-            )),
-            None => Ok(()),
-        }
+        compared(q, golden, got).map_err(|why| less_than_a_step(q, golden, got).unwrap_or(why))
     }
 
     /// Without the cells that the ray only touches, whatever distances are given.
@@ -118,6 +91,11 @@ impl Graded for GridWalk {
             complaint: "the distance at which it leaves",
             name: "gives wrong distances for the right cells",
             hint: "From where is t measured, and at which plane does the ray leave the cell?",
+        },
+        Flaw {
+            complaint: SHORT,
+            name: MARCHES,
+            hint: MARCHES_HINT,
         },
     ];
 
@@ -489,6 +467,11 @@ impl Graded for GridWalk {
             hint: "The next planes are at 3 along x, at 4 along y and at 2 along z: which axis do your conditions choose?",
             answer: |q| in_lattice(q, |next| Some(without_xz(next))),
         },
+        Mistake {
+            name: MARCHES,
+            hint: MARCHES_HINT,
+            answer: |q| marched(q, 0.02 * f64::from(q.cell.min_element())),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -517,6 +500,40 @@ impl Graded for GridWalk {
             }
         },
     }];
+}
+
+/// Whether a walk passes through the right cells, and leaves them where the ray does.
+fn compared(q: &GridWalk, golden: &[Visit], got: &[Visit]) -> Verdict {
+    got.iter().try_for_each(|visit| is_there(q, visit))?;
+    let (right, yours) = (passed(q, golden), passed(q, got));
+    for (i, golden) in right.iter().enumerate() {
+        let cell = golden.cell();
+        let Some(got) = yours.get(i) else {
+            return Err(format!(
+                "your walk ends after {i} cells, and the ray goes on through cell {cell}"
+            ));
+        };
+        if got.cell() != cell {
+            return Err(format!(
+                "cell {} of your walk is {}, and the ray passes through {cell} there",
+                i + 1,
+                got.cell()
+            ));
+        }
+        judge::number(
+            &format!("the distance at which it leaves {cell}"),
+            "m",
+            golden.leave,
+            got.leave,
+        )?;
+    }
+    match yours.get(right.len()) {
+        Some(more) => Err(format!(
+            "your walk goes on to cell {}, but there the ray is through already",
+            more.cell()
+        )),
+        None => Ok(()),
+    }
 }
 
 /// Whether the ray leaves a visited cell where it says, even a cell that the ray only touches.

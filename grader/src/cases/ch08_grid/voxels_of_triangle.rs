@@ -1,7 +1,10 @@
 //! `voxels_of_triangle`: random questions, judge and mistakes.
 
+mod points;
+
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use glam::{UVec3, Vec3, Vec3Swizzles, uvec3, vec3};
+use points::{BETWEEN, of_middle, of_points};
 use rand::RngExt;
 use raybook::inside::grid::{self, range, triangle_meets_box};
 use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, slab};
@@ -61,11 +64,16 @@ impl Graded for VoxelsOfTriangle {
                 ));
             }
         }
-        match must.iter().find(|&cell| !got.contains(cell)) {
-            Some(cell) => Err(format!(
+        let missing = || must.iter().filter(|&cell| !got.contains(cell));
+        let is_deep = |cell: &&UVec3| reaches_deep(q, **cell);
+        match (missing().next(), missing().find(is_deep)) {
+            (_, Some(cell)) => Err(format!(
                 "cell {cell} is missing: the triangle reaches into it"
             )),
-            None => Ok(()),
+            (Some(cell), None) => Err(format!(
+                "cell {cell} is missing: a small piece of the triangle reaches into it"
+            )),
+            (None, None) => Ok(()),
         }
     }
 
@@ -104,6 +112,11 @@ impl Graded for VoxelsOfTriangle {
             complaint: "is missing: the triangle",
             name: "leaves out cells that the triangle reaches",
             hint: "A long triangle passes through cells that hold none of its corners: do you find these cells, and the cells that reach the triangle by their margin only?",
+        },
+        Flaw {
+            complaint: "is missing: a small piece",
+            name: "leaves out cells into which only a small piece of the triangle reaches",
+            hint: "Do you put points of the triangle into cells? Between two of them the triangle goes on: can it cut off the corner of a cell there? If you do not, which of your bounds is too narrow?",
         },
     ];
 
@@ -365,12 +378,60 @@ impl Graded for VoxelsOfTriangle {
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
             answer: |q| up_to_a_miss(q, along_z(around(q)), |_| UVec3::ZERO),
         },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a tenth of its edges",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 10, q.margin),
+        },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a sixteenth of its edges",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 16, q.margin),
+        },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a twentieth of its edges",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 20, q.margin),
+        },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a tenth of its edges, and forgets the margin",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 10, 0.0),
+        },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a sixteenth of its edges, and forgets the margin",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 16, 0.0),
+        },
+        Mistake {
+            name: "puts only points of the triangle into cells, in steps of a twentieth of its edges, and forgets the margin",
+            hint: BETWEEN,
+            answer: |q| of_points(q, 20, 0.0),
+        },
+        Mistake {
+            name: "takes only the cells that hold the triangle's middle",
+            hint: "What if the triangle is larger than a cell?",
+            answer: |q| of_middle(q, q.margin),
+        },
+        Mistake {
+            name: "takes only the cell that holds the triangle's middle, and forgets the margin",
+            hint: "What if the triangle is larger than a cell?",
+            answer: |q| of_middle(q, 0.0),
+        },
     ];
 }
 
 /// Less than this nobody is to blame for.
 fn hair(q: &VoxelsOfTriangle) -> f32 {
     1e-4 * (q.cell.max_element() + q.min.abs().max_element())
+}
+
+/// Whether a triangle reaches deeper into a cell than a quarter of the cell's extents.
+fn reaches_deep(q: &VoxelsOfTriangle, cell: UVec3) -> bool {
+    let bounds = q.lattice().bounds_of(cell, cell);
+    let by = 0.25 * bounds.size();
+    let middle = Aabb::new(bounds.min + by, bounds.max - by);
+    triangle_meets_box(&[q.p0, q.p1, q.p2], &middle)
 }
 
 /// The cells that reach the triangle's bounding box by the margin, and that a test keeps.

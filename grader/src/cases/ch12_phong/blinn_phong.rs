@@ -294,7 +294,9 @@ impl Graded for BlinnPhongExercise {
             hint: "Let L, N and V lie in one plane, and then turn V out of it: does the angle between R and V still grow twice as fast as that between N and H?",
             answer: |q| {
                 // The cosine of half an angle.
-                let cosine = (0.5 + 0.5 * mirrored(&q.at).dot(*q.at.view)).max(0.0).sqrt();
+                let cosine = (0.5 + 0.5 * mirrored(&q.at).dot(*q.at.view))
+                    .max(0.0)
+                    .sqrt();
                 with_highlight(&q.at, power(cosine, &q.at))
             },
         },

@@ -38,16 +38,22 @@ fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
-/// The lattice's images by these axes beside the normal, brought to length 1.
-fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
-    let turned = |u: Vec2| {
+/// The lattice's images by these axes beside the normal.
+fn by_axes(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
+    let image = |u: Vec2| {
         let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
-        (d.x * x + d.y * y + d.z * *q.normal).normalize_or_zero()
+        d.x * x + d.y * y + d.z * *q.normal
     };
-    lattice(q.n).map(turned).collect()
+    lattice(q.n).map(image).collect()
 }
 
-/// The lattice's images by axes that are cross products with another vector, and not of length 1.
+/// The same, brought to length 1.
+fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
+    let images = by_axes(q, x, y).into_iter();
+    images.map(Vec3::normalize_or_zero).collect()
+}
+
+/// The lattice's images, brought to length 1, by axes that are cross products with another vector, and not of length 1.
 fn squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
     let [x, y] = crossed(q.normal, up);
     beside(q, x, y)
@@ -59,15 +65,23 @@ fn half_squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
     beside(q, x.normalize_or_zero(), y)
 }
 
-/// The lattice's images by an axis of the world itself, and by one perpendicular to it and to the normal, in the place of two axes beside the
-/// normal. They are not of length 1.
+/// The lattice's images, where one axis beside the normal is an axis of the world itself, and the other is perpendicular to both.
 fn leaning(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    let x = q.normal.cross(up).normalize_or_zero();
-    let image = |u: Vec2| {
-        let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
-        d.x * x + d.y * up + d.z * *q.normal
-    };
-    lattice(q.n).map(image).collect()
+    by_axes(q, q.normal.cross(up).normalize_or_zero(), up)
+}
+
+/// The lattice's images by axes that are cross products with another vector. Neither are of length 1.
+fn shrunk(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
+    let [x, y] = crossed(q.normal, up);
+    by_axes(q, x, y)
+}
+
+/// By how much the mean of (d·a)² is greater than it should be, for an axis a of the world: ½ (n·a)² + ¼ (1 − (n·a)²).
+fn leans(q: &CosineHemisphere, got: &[Vec3], axis: Vec3) -> f64 {
+    let squares = got.iter().map(|d| f64::from(d.dot(axis)).powi(2));
+    let mean = squares.sum::<f64>() / got.len().max(1) as f64;
+    let along = f64::from(q.normal.dot(axis)).powi(2);
+    mean - 0.25 * (1.0 + along)
 }
 
 /// Number of directions of a further question: enough that a gap among them is none by chance.
@@ -229,7 +243,9 @@ impl Graded for CosineHemisphere {
     }
 
     fn traits(q: &CosineHemisphere, got: &Vec<Vec3>) -> Vec<f64> {
-        traits::of_directions(got, *q.normal)
+        let mut traits = traits::of_directions(got, *q.normal);
+        traits.extend(Vec3::AXES.map(|axis| leans(q, got, axis)));
+        traits
     }
 
     const FLAWS: &'static [Flaw] = &[
@@ -531,6 +547,16 @@ impl Graded for CosineHemisphere {
             name: "takes +z itself for one of the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
             answer: |q| leaning(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
+        },
+        Mistake {
+            name: "normalises neither the axes beside the normal, made by cross products, nor the directions",
+            hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
+            answer: |q| shrunk(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
+        },
+        Mistake {
+            name: "takes the world's x and y for the two axes beside the normal, and does not normalise",
+            hint: "Are your three axes perpendicular to each other, whatever the normal is?",
+            answer: |q| by_axes(q, Vec3::X, Vec3::Y),
         },
     ];
 }

@@ -1,8 +1,10 @@
 //! `deflection_angle`: by quadrature, by stepping the ray, by series where they are good enough.
 
+mod cut;
 mod sums;
 
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
+use cut::{distance_of, followed};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
@@ -20,6 +22,9 @@ const COARSE: &str = "that is nearly right, but not to a part in a thousand";
 const UNBOUNDED: &str = "sums equal steps up to the turning point, where the integrand grows without end, and loses a part of it";
 const UNBOUNDED_HINT: &str = "Halve your steps: is the angle off by half as much? Which other variable than 1/r keeps the integrand finite where the ray turns?";
 
+/// What leads from a ray that is followed from a fixed distance on to the whole ray.
+const CUT_HINT: &str = "Begin twice as far away, and end there: does the angle of a ray with a large b change? How far away must a ray begin, compared with its b?";
+
 impl Graded for DeflectionAngle {
     fn random(rng: &mut Pcg) -> DeflectionAngle {
         let impact_parameter = if rng.random_bool(0.2) {
@@ -36,13 +41,19 @@ impl Graded for DeflectionAngle {
             let tolerance = judge::RELATIVE * golden;
             let why = judge::number_within("the angle", "rad", *golden, *got, tolerance);
             let is_near = (golden - got).abs() <= NEARLY * golden;
-            let steps = || count_that_loses(q.impact_parameter.into(), f64::from(golden - got));
-            why.map_err(|why| match steps() {
-                Some(steps) => format!(
-                    "{why}: it is the sum of {steps} equal steps of 1/r up to the turning point"
-                ),
-                None if is_near => format!("{why}: {COARSE}"),
-                None => why,
+            let b = f64::from(q.impact_parameter);
+            let steps = || count_that_loses(b, f64::from(golden - got));
+            let distance = || distance_of(b, f64::from(*got)).filter(|_| got < golden);
+            why.map_err(|why| {
+                if let Some(steps) = steps() {
+                    format!("{why}: it is the sum of {steps} equal steps of 1/r up to the turning point")
+                } else if is_near {
+                    format!("{why}: {COARSE}")
+                } else if let Some(distance) = distance() {
+                    format!("{why}: a ray that starts {distance} radii before the hole and ends as far behind is turned by as much")
+                } else {
+                    why
+                }
             })
         })
     }
@@ -57,6 +68,11 @@ impl Graded for DeflectionAngle {
             complaint: "equal steps of 1/r up to the turning point",
             name: UNBOUNDED,
             hint: UNBOUNDED_HINT,
+        },
+        Flaw {
+            complaint: "radii before the hole and ends as far behind",
+            name: "follows the ray only from a fixed distance before the hole to the same distance behind",
+            hint: CUT_HINT,
         },
     ];
 
@@ -190,6 +206,36 @@ impl Graded for DeflectionAngle {
             name: UNBOUNDED,
             hint: UNBOUNDED_HINT,
             answer: |q| escapes(q).map(|b| sum(b.into(), 1000) as f32),
+        },
+        Mistake {
+            name: "follows the ray only from 10 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 10.0),
+        },
+        Mistake {
+            name: "follows the ray only from 20 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 20.0),
+        },
+        Mistake {
+            name: "follows the ray only from 30 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 30.0),
+        },
+        Mistake {
+            name: "follows the ray only from 50 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 50.0),
+        },
+        Mistake {
+            name: "follows the ray only from 100 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 100.0),
+        },
+        Mistake {
+            name: "follows the ray only from 1000 radii before the hole to the same distance behind",
+            hint: CUT_HINT,
+            answer: |q| followed(q, 1000.0),
         },
     ];
 }

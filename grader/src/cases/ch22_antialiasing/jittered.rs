@@ -7,6 +7,7 @@ use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
+use std::f32::consts::TAU;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
 fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
@@ -18,6 +19,23 @@ fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
         place(cell, count, u)
     };
     cells.map(place).collect()
+}
+
+/// A number with the distribution of the mean of two uniform ones, of one uniform number.
+fn of_a_tent(u: f32) -> f32 {
+    if u < 0.5 {
+        (0.5 * u).sqrt()
+    } else {
+        1.0 - (0.5 * (1.0 - u)).sqrt()
+    }
+}
+
+/// Two normal numbers around ½, of two uniform ones (Box and Muller 1958), so that nearly all are in [0, 1); the others are put at its ends.
+fn of_a_bell(u: Vec2) -> Vec2 {
+    const DEVIATION: f32 = 1.0 / 6.0;
+    let radius = DEVIATION * (-2.0 * (1.0 - u.x).ln()).sqrt();
+    let p = 0.5 + radius * Vec2::from_angle(TAU * u.y);
+    p.clamp(Vec2::ZERO, Vec2::splat(1.0 - f32::EPSILON))
 }
 
 /// A point that is printed with six digits is moved by 5e-7, which is 1e-5 of a cell, perhaps over the edge.
@@ -105,6 +123,9 @@ fn by_cells(q: &Jittered, points: &[Vec2], order: CellOrder) -> Vec<Vec2> {
     points.sort_by_key(cell);
     points
 }
+
+/// This number of cells tells what the distribution of places is.
+const MANY: f64 = 100.0;
 
 /// How unevenly the points are shared among the columns of cells, and among the rows: 0 if all have as many, about 1 by chance,
 /// and never more than 4.
@@ -197,8 +218,11 @@ impl Graded for Jittered {
         let mut traits = [traits::of_square(&places), traits::of_square(&whole)].concat();
         traits.push(traits::distinct(got.iter().map(cell)));
         traits.extend(unevenness(q, got));
-        traits.push(got.len() as f64 / f64::from(q.columns * q.rows).max(1.0));
-        traits
+        let asked = f64::from(q.columns * q.rows);
+        traits.push(got.len() as f64 / asked.max(1.0));
+        // A few cells tell little of a distribution.
+        let weight = (asked / MANY).sqrt().min(1.0);
+        traits.iter().map(|v| weight * v).collect()
     }
 
     const FIXED: &'static [&'static str] = &["seed"];
@@ -430,6 +454,20 @@ impl Graded for Jittered {
                     (cell + u) / count
                 })
             },
+        },
+        Mistake {
+            name: "crowds the points in the middle of their cells, as the mean of two random numbers does",
+            hint: "The mean of two random numbers is seldom near 0 or 1: is every place in a cell as likely as any other?",
+            answer: |q| {
+                cells(q, |cell, count, u| {
+                    (cell + vec2(of_a_tent(u.x), of_a_tent(u.y))) / count
+                })
+            },
+        },
+        Mistake {
+            name: "crowds the points around the middle of their cells, as a normal distribution does",
+            hint: "Is a place at the edge of a cell as likely as one in the middle?",
+            answer: |q| cells(q, |cell, count, u| (cell + of_a_bell(u)) / count),
         },
     ];
 }

@@ -29,9 +29,14 @@ const CROWDED: f32 = 0.85;
 
 /// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
 fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
+    darts_until(q, 1000, keeps)
+}
+
+/// The same, until `most` darts in a row are not kept.
+fn darts_until(q: &PoissonDisk, most: u32, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let (mut points, mut misses) = (Vec::new(), 0);
-    while misses < 1000 && points.len() < 2000 {
+    while misses < most && points.len() < 2000 {
         let dart = vec2(rng.random(), rng.random());
         if keeps(dart, &points) {
             points.push(dart);
@@ -43,9 +48,16 @@ fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
     points
 }
 
-/// The same, with a rule for the way from a dart to every other point.
+/// Darts with a rule for the way from a dart to every other point.
 fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
     darts(q, |p, points| points.iter().all(|o| far(p - *o)))
+}
+
+/// Darts as far apart as asked, until `most` in a row are too near.
+fn impatient(q: &PoissonDisk, most: u32) -> Vec<Vec2> {
+    darts_until(q, most, |p, points| {
+        points.iter().all(|o| p.distance(*o) >= q.distance)
+    })
 }
 
 impl Graded for PoissonDisk {
@@ -89,8 +101,14 @@ impl Graded for PoissonDisk {
             ROOM_BESIDE_MANY
         };
         if room > most {
+            let nearest = nearest(got) / d;
+            let apart = if nearest.is_finite() {
+                format!("; your nearest two are {nearest:.2} times the distance apart")
+            } else {
+                String::new()
+            };
             return Err(format!(
-                "in {:.0} % of the square there is still room for another point",
+                "in {:.0} % of the square there is still room for another point{apart}",
                 100.0 * room
             ));
         }
@@ -166,6 +184,9 @@ impl Graded for PoissonDisk {
             f64::from(q.distance * q.distance) * got.len() as f64,
         ));
         traits.push(near.iter().copied().fold(2.0, f64::min));
+        let inside = |p: &&Vec2| p.cmpge(Vec2::ZERO).all() && p.cmple(Vec2::ONE).all();
+        let inside: Vec<_> = got.iter().filter(inside).copied().collect();
+        traits.push(room(&inside, q.distance).into());
         traits.extend(traits::of_square(&points));
         traits
     }
@@ -308,6 +329,31 @@ impl Graded for PoissonDisk {
                     near.all(is_forgotten)
                 })
             },
+        },
+        Mistake {
+            name: "gives up after about three points in a row that are too near",
+            hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
+            answer: |q| impatient(q, 3),
+        },
+        Mistake {
+            name: "gives up after about five points in a row that are too near",
+            hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
+            answer: |q| impatient(q, 5),
+        },
+        Mistake {
+            name: "gives up after about ten points in a row that are too near",
+            hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
+            answer: |q| impatient(q, 10),
+        },
+        Mistake {
+            name: "gives up after about twenty points in a row that are too near",
+            hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
+            answer: |q| impatient(q, 20),
+        },
+        Mistake {
+            name: "gives up after about thirty points in a row that are too near",
+            hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
+            answer: |q| impatient(q, 30),
         },
     ];
 }

@@ -11,6 +11,9 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_6};
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
 
+/// Rounding moves points by less than this.
+const ROUNDING: f32 = 1e-5;
+
 /// What is wrong where [`not_wrapped`] complains, and what leads to it.
 const WRAPPED: &str = "lets points that leave the square come in again on its other side";
 const WRAPPED_HINT: &str = "A rotated lattice does not go on at the left edge as it ends at the right one: what becomes of a point outside of the square?";
@@ -159,6 +162,21 @@ impl Graded for RotatedGrid {
             shift(q, got)?;
             sense(1.0)
         })
+    }
+
+    /// Points of a lattice lie above each other, and rounding decides which of them is the first along x: all of them get the same x.
+    fn canonical(_q: &RotatedGrid, mut answer: Vec<Vec2>) -> Vec<Vec2> {
+        answer.sort_by(|p, other| p.x.total_cmp(&other.x));
+        let (mut column, mut before) = (f32::NAN, f32::NAN);
+        for p in &mut answer {
+            if (p.x - before).abs() < ROUNDING {
+                before = p.x;
+                p.x = column;
+            } else {
+                (column, before) = (p.x, p.x);
+            }
+        }
+        answer
     }
 
     const POSITIVE: &'static [&'static str] = &["spacing"];

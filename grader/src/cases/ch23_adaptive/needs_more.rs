@@ -9,7 +9,8 @@ use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 use rules::{
-    by_one_limit, by_weights, darkest_and_brightest, error_of, of_luminance, of_pairs, running,
+    by_mean, by_one_limit, by_weights, darkest_and_brightest, error_of, of_luminance, of_pairs,
+    running,
 };
 
 impl Graded for NeedsMore {
@@ -275,16 +276,7 @@ impl Graded for NeedsMore {
         Mistake {
             name: "divides the difference by the mean",
             hint: "The sum of the largest and the least is twice what is between them: which of the two does the task divide by?",
-            answer: |q| {
-                let samples = q.samples.len() as f32;
-                let limits = q.contrast.channels();
-                let is_above = |i: usize| {
-                    let [max, min] = range(q, i);
-                    let sum: f32 = q.samples.iter().map(|s| s.channels()[i]).sum();
-                    sum > 0.0 && (max - min) / (sum / samples) > limits[i]
-                };
-                decide(q, (0..3).any(is_above), standard_error(q))
-            },
+            answer: |q| by_mean(q, |[max, min], mean, _| (max - min) / mean),
         },
         Mistake {
             name: "adds the channels' deviations as if they were a colour, not that of the luminance",
@@ -515,6 +507,16 @@ impl Graded for NeedsMore {
                 });
                 decide(q, contrast, standard_error(q))
             },
+        },
+        Mistake {
+            name: "divides the difference by twice the mean of all samples",
+            hint: "One bright sample among many dark ones: is the mean half of the sum of the largest and the least?",
+            answer: |q| by_mean(q, |[max, min], mean, _| (max - min) / (2.0 * mean)),
+        },
+        Mistake {
+            name: "divides the standard deviation by the mean for the contrast",
+            hint: "Which two values of a channel does the contrast compare: is a deviation one of them?",
+            answer: |q| by_mean(q, |_, mean, deviation| deviation / mean),
         },
     ];
 }

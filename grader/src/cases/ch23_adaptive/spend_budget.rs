@@ -68,6 +68,30 @@ fn rest_to_one(q: &SpendBudget, rounded: fn(f32) -> f32, pixel: fn(&[f32]) -> us
     counts
 }
 
+/// The best shares for other deviations, made of the right ones.
+fn best_for(q: &SpendBudget, weight: fn(f32) -> f32) -> Vec<f32> {
+    best(&SpendBudget {
+        deviations: q.deviations.iter().map(|d| weight(*d)).collect(),
+        ..q.clone()
+    })
+}
+
+/// Shares rounded down; what that leaves goes to the pixels that lost most by it.
+fn largest_remainders(q: &SpendBudget, shares: &[f32]) -> Vec<u32> {
+    let mut counts: Vec<_> = shares.iter().map(|share| down(*share) as u32).collect();
+    let left = q.budget.saturating_sub(counts.iter().sum()) as usize;
+    let lost = |i: &usize| shares[*i] - down(shares[*i]);
+    let mut order: Vec<_> = (0..counts.len()).collect();
+    order.sort_by(|one, other| lost(other).total_cmp(&lost(one)));
+    order.iter().take(left).for_each(|i| counts[*i] += 1);
+    counts
+}
+
+/// Shares rounded down; what that leaves goes to the first pixels.
+fn first_ones(q: &SpendBudget, shares: &[f32]) -> Vec<u32> {
+    hand_out(q, shares.iter().map(|share| down(*share) as u32).collect())
+}
+
 /// Rounds down; a share just below a whole number, by rounding, counts as that number.
 fn down(share: f32) -> f32 {
     (share + 1e-4).floor()
@@ -388,6 +412,26 @@ impl Graded for SpendBudget {
             name: "shares by the root of the deviation (the minimum taken into account)",
             hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
             answer: |q| Self::misread(q, |q| q.deviations.iter_mut().for_each(|d| *d = d.sqrt())),
+        },
+        Mistake {
+            name: "shares by the variance (the minimum taken into account, and the largest remainders rounded up)",
+            hint: "Twice the deviation: does that want four times the samples? Try two pixels by hand.",
+            answer: |q| largest_remainders(q, &best_for(q, |d| d * d)),
+        },
+        Mistake {
+            name: "shares by the variance (the minimum taken into account, and what rounding leaves given to the first pixels)",
+            hint: "Twice the deviation: does that want four times the samples? Try two pixels by hand.",
+            answer: |q| first_ones(q, &best_for(q, |d| d * d)),
+        },
+        Mistake {
+            name: "shares by the root of the deviation (the minimum taken into account, and the largest remainders rounded up)",
+            hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
+            answer: |q| largest_remainders(q, &best_for(q, f32::sqrt)),
+        },
+        Mistake {
+            name: "shares by the root of the deviation (the minimum taken into account, and what rounding leaves given to the first pixels)",
+            hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
+            answer: |q| first_ones(q, &best_for(q, f32::sqrt)),
         },
     ];
 }

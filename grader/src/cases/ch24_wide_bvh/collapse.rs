@@ -3,7 +3,8 @@
 mod families;
 
 use self::families::{
-    best, families, families_of, leaves_below, size, take, three_levels_down, while_fewer, without,
+    best, families, families_of, from_the_right, in_place, leaves_below, of_opened_too, size, take,
+    three_levels_down, while_fewer, without,
 };
 use super::{MOST, half_area, is_branch, pair};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
@@ -372,6 +373,26 @@ impl Graded for Collapse {
             name: "opens the branch with the longest diagonal first",
             hint: "Is a long, thin box met by more rays than a large one?",
             answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).length())),
+        },
+        Mistake {
+            name: "opens the first branch of the list, however small it is, and puts its children in its place",
+            hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
+            answer: |q| {
+                in_place(q, |q, members| {
+                    let first = members.iter().position(|&i| is_branch(q, i));
+                    first.filter(|_| members.len() < MOST)
+                })
+            },
+        },
+        Mistake {
+            name: "writes lists for branches that were opened, too, and several for some of them",
+            hint: "A branch whose children have moved up is no member any more: does it still need a list?",
+            answer: of_opened_too,
+        },
+        Mistake {
+            name: "opens the branch that came into the list first, however small it is, and of two the right one",
+            hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
+            answer: from_the_right,
         },
     ];
 }

@@ -63,6 +63,8 @@ pub enum Slip {
     HeightForShare,
     HeightAboveTheHorizon,
     HeightWithoutSign,
+    AngleForHeight,
+    AngleAboveTheHorizon,
     IndexTurned,
     AlwaysEntering,
     AllRefracted,

@@ -607,6 +607,16 @@ impl Graded for Trace {
             hint: "The task's rule for glass has two shares, which add up to 1: which factor is in yours besides?",
             answer: |q| answer(q, Slip::RefractedSpread),
         },
+        Mistake {
+            name: "takes the direction's angle, not its y, for the share of the backdrop above: 0 straight below, ½ on the horizon, 1 straight above",
+            hint: "A ray goes up at 30°, and its y is ½: which of the two numbers does the backdrop's rule take?",
+            answer: |q| answer(q, Slip::AngleForHeight),
+        },
+        Mistake {
+            name: "takes the angle above the horizon over 90°, and 0 below the horizon, for the share of the backdrop above",
+            hint: "A ray goes up at 30°, and its y is ½: which of the two numbers does the backdrop's rule take? And which share is seen on the horizon?",
+            answer: |q| answer(q, Slip::AngleAboveTheHorizon),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

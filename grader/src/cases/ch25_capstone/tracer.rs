@@ -12,7 +12,7 @@ use raybook::render::shadow::shadow_ray;
 use raybook::scene::description::{Backdrop, Description, Form, Matter, Object};
 use raybook::shape::{Hit, Shape, Surface, triangle::Triangle};
 use std::cell::Cell;
-use std::f32::consts::PI;
+use std::f32::consts::{FRAC_PI_2, PI};
 
 /// A ray that begins on the side of the surface away from where it goes.
 fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
@@ -163,10 +163,13 @@ impl<'a> Tracer<'a> {
     fn backdrop(&self, direction: Dir3) -> Rgb {
         let Backdrop { below, above } = self.scene.backdrop;
         let by_height = |height: f32| below * (1.0 - height) + above * height;
+        let angle = direction.y.clamp(-1.0, 1.0).asin();
         match self.slip {
             Slip::HeightForShare => by_height(direction.y),
             Slip::HeightAboveTheHorizon => by_height(direction.y.max(0.0)),
             Slip::HeightWithoutSign => by_height(direction.y.abs()),
+            Slip::AngleForHeight => by_height(0.5 + angle / PI),
+            Slip::AngleAboveTheHorizon => by_height((angle / FRAC_PI_2).max(0.0)),
             _ => self.scene.backdrop.seen(direction),
         }
     }

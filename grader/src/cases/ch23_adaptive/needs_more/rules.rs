@@ -1,7 +1,7 @@
 //! Rules as students write them: with the contrast of something else, or with another error.
 
 use crate::Graded;
-use crate::cases::ch23_adaptive::measures::{decide, ratio, standard_error, too_contrasty};
+use crate::cases::ch23_adaptive::measures::{decide, range, ratio, standard_error, too_contrasty};
 use raybook::image::rgb::Rgb;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
@@ -47,6 +47,21 @@ pub(super) fn error_of(q: &NeedsMore, channel: usize) -> f32 {
 /// The answer by one limit for the contrast of all channels.
 pub(super) fn by_one_limit(q: &NeedsMore, limit: f32) -> u32 {
     NeedsMore::misread(q, |q| q.contrast = Rgb::gray(limit))
+}
+
+/// The answer by another contrast of a channel, made of its largest value and its least, of the mean of its values, and of their standard
+/// deviation; 0 for black.
+pub(super) fn by_mean(q: &NeedsMore, contrast: impl Fn([f32; 2], f32, f32) -> f32) -> u32 {
+    let samples = q.samples.len() as f32;
+    let limits = q.contrast.channels();
+    let is_above = |channel: usize| {
+        let values = || q.samples.iter().map(|s| s.channels()[channel]);
+        let mean = values().sum::<f32>() / samples;
+        let squares: f32 = values().map(|v| (v - mean).powi(2)).sum();
+        let deviation = (squares / (samples - 1.0)).sqrt();
+        mean > 0.0 && contrast(range(q, channel), mean, deviation) > limits[channel]
+    };
+    decide(q, (0..3).any(is_above), standard_error(q))
 }
 
 /// The answer by another luminance.

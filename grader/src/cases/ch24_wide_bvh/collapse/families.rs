@@ -1,6 +1,6 @@
 //! Ways of choosing a branch's new children as students write them: branches are opened in another order, up to another number, or by level.
 
-use crate::cases::ch24_wide_bvh::{is_branch, pair};
+use crate::cases::ch24_wide_bvh::{MOST, half_area, is_branch, pair};
 use glam::Vec3;
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 
@@ -17,6 +17,59 @@ pub(super) fn families(
         }
         children
     })
+}
+
+/// Families whose members are chosen by `open`, where the two children of a branch that is opened stand in its place.
+pub(super) fn in_place(
+    q: &Collapse,
+    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
+) -> Vec<FamilyRow> {
+    families_of(q, |branch| {
+        let mut children = pair(q, branch).to_vec();
+        while let Some(i) = open(q, &children) {
+            let opened = children[i];
+            children.splice(i..=i, pair(q, opened));
+        }
+        children
+    })
+}
+
+/// Families whose branches are opened in the order in which they came into the list, of two the right one first.
+pub(super) fn from_the_right(q: &Collapse) -> Vec<FamilyRow> {
+    let reversed = |branch: u32| pair(q, branch).into_iter().rev();
+    families_of(q, |branch| {
+        let mut children: Vec<_> = reversed(branch).collect();
+        while children.len() < MOST {
+            let Some(i) = children.iter().position(|&i| is_branch(q, i)) else {
+                break;
+            };
+            let opened = children.remove(i);
+            children.extend(reversed(opened));
+        }
+        children
+    })
+}
+
+/// Families of all branches that are met: of those that are left, and of those that were opened, each as often as it was met.
+pub(super) fn of_opened_too(q: &Collapse) -> Vec<FamilyRow> {
+    /// More lists are not made: of a chain of 19 branches there are 250,000, as each branch is opened again and again.
+    const ENOUGH: usize = 10_000;
+    let mut families = Vec::new();
+    let mut waiting: Vec<_> = (0..q.nodes.len().min(1) as u32).collect();
+    while let Some(branch) = waiting.pop() {
+        if !is_branch(q, branch) || families.len() == ENOUGH {
+            continue;
+        }
+        let mut children = pair(q, branch).to_vec();
+        while let Some(i) = while_fewer(MOST, half_area)(q, &children) {
+            let opened = children.remove(i);
+            children.extend(pair(q, opened));
+            waiting.push(opened);
+        }
+        waiting.extend(&children);
+        families.push(FamilyRow { branch, children });
+    }
+    families
 }
 
 /// Families of these members of each branch.

@@ -179,7 +179,8 @@ fn a_factor_that_nobody_thought_of_is_fitted() {
 
 #[test]
 fn no_number_is_fitted_with_which_answers_are_endless() {
-    // Turned by arctan 2 clockwise: the same lattice elsewhere, to which no factor of the spacing leads.
+    // Turned by arctan 2 clockwise, a right angle too far: the same lattice elsewhere, to which no factor of the spacing leads, but another
+    // offset.
     let found = diagnosed("rotated_grid", |q| {
         let (spacing, offset) = (q[0], DVec2::new(q[1], q[2]));
         let turned = |v: DVec2| DVec2::new(v.x + 2.0 * v.y, v.y - 2.0 * v.x) / 5.0_f64.sqrt();
@@ -191,10 +192,11 @@ fn no_number_is_fitted_with_which_answers_are_endless() {
         let points: Vec<_> = points.filter(inside).map(|p| p.to_array()).collect();
         Some([vec![points.len() as f64], points.concat()].concat())
     });
+    assert_eq!(found.name, "exchanges offset.x and offset.y");
+    let then: Vec<_> = found.also.iter().map(|also| &*also.name).collect();
+    assert_eq!(then[0], "has the sign of offset.y wrong");
     assert!(
-        found
-            .name
-            .starts_with("has the right lattice in the wrong place"),
+        then[1].starts_with("has the right lattice in the wrong place"),
         "{found:?}"
     );
 }

@@ -63,7 +63,7 @@ pub const ALTERNATIVES: &[Alternative] = &[
     Alternative {
         exercise: "visible_fraction",
         method: "by random numbers that never come again",
-        answer: |q| by_new_numbers(q, |u| u),
+        answer: by_new_numbers,
     },
     Alternative {
         exercise: "visible_fraction",
@@ -177,10 +177,14 @@ fn sphere(q: &mut Question, place: fn(DVec2) -> (f64, f64)) -> Answer {
     Some(answer)
 }
 
-/// `place` gives the place on the light for two random numbers, which are others each time.
-pub fn by_new_numbers(q: &mut Question, place: impl Fn(DVec2) -> DVec2) -> Answer {
+/// By random numbers that are others each time.
+fn by_new_numbers(q: &mut Question) -> Answer {
     static STATE: AtomicU64 = AtomicU64::new(16);
-    let mut state = STATE.fetch_add(1, Ordering::Relaxed) << 32;
+    by_numbers(q, STATE.fetch_add(1, Ordering::Relaxed) << 32, |u| u)
+}
+
+/// `place` gives the place on the light for two random numbers, which follow from `state`.
+pub fn by_numbers(q: &mut Question, mut state: u64, place: impl Fn(DVec2) -> DVec2) -> Answer {
     visible(q, |_, _| {
         place(dvec2(random(&mut state), random(&mut state)))
     })

@@ -85,11 +85,12 @@ fn power(points: &[f64], power: f64) -> Vec<f64> {
     moved.collect()
 }
 
-/// Fractions of the light at other places on it, each by random numbers of its own.
+/// Fractions of the light at other places on it, each by random numbers that follow from the question.
 fn at_places(q: &[f64], place: impl Fn(DVec2) -> DVec2) -> Vec<f64> {
     let words: Vec<_> = q.iter().map(f64::to_string).collect();
     let question = &mut Question::read(&words.join(" "));
-    let answer = ch16::by_new_numbers(question, place);
+    let seed = q.iter().fold(0, |seed, v| pcg::mix(seed ^ v.to_bits()));
+    let answer = ch16::by_numbers(question, seed, place);
     answer.expect("fractions")[1..].to_vec()
 }
 

@@ -3,11 +3,12 @@
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::library;
 use crate::limits::limits;
+use crate::rare::Depth;
 use crate::seen::Seen;
 use raybook_workbook::kind::{Field, Kind, Record};
 use serde_json::{Value, json};
 
-/// An exercise, and what occurs in its visible cases.
+/// An exercise, its visible cases, and what occurs in these and in what is asked of who answers them rightly.
 struct Described {
     cases: Vec<Case>,
     asked: Seen,
@@ -18,9 +19,15 @@ impl Described {
     fn new(examiner: &dyn Examiner) -> Self {
         let asked = examiner.asked();
         let cases = examiner.cases(&mut visible_rng(asked.name)).cases;
-        let questions = cases.iter().map(|case| &case.question);
-        let questions: Vec<_> = questions.flat_map(|row| asked.read_question(row)).collect();
-        let answers = cases.iter().flat_map(|case| &case.answers);
+        let followers = examiner.followers(&cases);
+        let all = || cases.iter().chain(followers.iter().map(|one| &one.case));
+        let questions = all().flat_map(|case| asked.read_question(&case.question));
+        let questions: Vec<_> = questions
+            .chain(examiner.further_questions(&cases))
+            .chain(examiner.rare_questions(&cases, Depth::Grade))
+            .chain(pixels(examiner))
+            .collect();
+        let answers = all().flat_map(|case| &case.answers);
         let answers: Vec<_> = answers.flat_map(|row| asked.read_answer(row)).collect();
         Self {
             asked: Seen::in_rows(asked.question, questions.iter().map(Vec::as_slice)),
@@ -28,6 +35,17 @@ impl Described {
             cases,
         }
     }
+}
+
+/// The questions of the pictures' pixels.
+fn pixels(examiner: &dyn Examiner) -> Vec<Vec<f64>> {
+    let pictures = (0..).map_while(|i| Some((i, examiner.picture(i)?)));
+    let each = pictures.flat_map(|(i, size)| {
+        let rows = move |y| (0..size.width).map(move |x| (i, x, y));
+        (0..size.height).flat_map(rows)
+    });
+    each.filter_map(|(i, x, y)| examiner.pixel(i, x, y))
+        .collect()
 }
 
 /// The description of an exercise for people who write it in this file, if that is known.
@@ -95,7 +113,7 @@ pub fn describe(examiner: &dyn Examiner, place: Option<&str>) -> String {
 ///
 /// A field has `name`, `meaning` and the keys of its kind: `kind` is `number`, `whole`, `numbers` (with `parts`), `direction`,
 /// `optional` and `list` (with `of`), `record` (with its name, `record`, and its `fields`) or `choice` (with `choices`, each of a
-/// `word` and its kind). Of the visible cases, `least` and `most` are the smallest and the largest finite number of it, or the
+/// `word` and its kind). Of all that is asked, `least` and `most` are the smallest and the largest finite number of it, or the
 /// shortest and the longest length of a list; `infinite`, `minus_infinite` and `none` say that those occur. `limits` are sentences.
 pub fn schema(examiner: &dyn Examiner) -> Value {
     let described = Described::new(examiner);

@@ -8,8 +8,11 @@ use crate::leeway::{LONG, Leeway, leeways};
 use crate::rare::{Depth, smallest_region};
 use raybook_workbook::kind::Kind;
 
-/// In how many cases it is measured how far an answer may be off.
+/// In how many cases it is measured how far an answer may be off, where answers take long.
 const MEASURED: usize = 16;
+
+/// The effort of an answer that takes long.
+const SLOW: usize = 100;
 
 /// A row of a case.
 struct Row<'a> {
@@ -52,6 +55,7 @@ pub fn limits(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     said.push(of_several(cases));
     said.extend(of_comparing(examiner, &questions, &answers));
     said.extend(of_names(cases));
+    said.extend(of_crowds(examiner, cases));
     said.push(of_further(examiner, cases));
     said
 }
@@ -186,12 +190,23 @@ fn of_several(cases: &[Case]) -> String {
     let several = cases.iter().filter(|case| case.answers.len() > 1);
     let names: Vec<_> = several.map(|case| format!("\"{}\"", case.name)).collect();
     if names.is_empty() {
-        return "No tie is asked that leaves a choice between answers.".to_owned();
+        return "One right answer to each case is on file; where a text leaves a choice, the judge takes the others, too.".to_owned();
     }
     format!(
         "Ties, where more than one answer is right, are asked: {}.",
         names.join(", ")
     )
+}
+
+/// The large questions, and which faults are none there.
+fn of_crowds(examiner: &dyn Examiner, cases: &[Case]) -> Option<String> {
+    let followers = examiner.followers(cases);
+    let large = followers.iter().filter(|one| one.is_long);
+    let names: Vec<_> = large.map(|one| one.case.name.as_str()).collect();
+    (!names.is_empty()).then(|| {
+        let names = names.join(" and ");
+        format!("Who is right in all cases is asked large cases, too, {names}: no answer in time is no fault there, but an error is one.")
+    })
 }
 
 /// What is asked of who is right in the cases.
@@ -237,10 +252,14 @@ fn of_comparing(
             said.push(format!("The order of `{name}` {counts}."));
         }
     }
-    let step = answers.len().div_ceil(MEASURED);
+    let step = if examiner.limits().effort < SLOW {
+        1
+    } else {
+        answers.len().div_ceil(MEASURED).max(1)
+    };
     for (i, part) in parts(answer.kind, answer.name).iter().enumerate() {
-        let measured = both().step_by(step.max(1));
-        let measured = measured
+        let measured = both()
+            .step_by(step)
             .flat_map(|(question, row)| leeways(examiner, &question.numbers, &row.numbers, i));
         let measured: Vec<_> = measured.collect();
         let together = answers

@@ -25,7 +25,7 @@ pub struct Follower {
     before: String,
     after: &'static str,
     /// Whether it asks for much more than any case, so that no answer in time is no fault.
-    is_long: bool,
+    pub is_long: bool,
 }
 
 impl dyn Examiner + '_ {

@@ -113,8 +113,15 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ),
         (
             "sphere_hit",
-            "No tie is asked that leaves a choice between answers.",
+            "One right answer to each case is on file; where a text leaves a choice, the judge takes the others, too.",
         ),
+        ("bvh_build", "length 1 to 1000"),
+        (
+            "bvh_build",
+            "Who is right in all cases is asked large cases, too, 100 elements and 1000 elements: no answer in time is no fault there, but an error is one.",
+        ),
+        // Its picture has the largest map.
+        ("environment_pdf", "1 to 8"),
         (
             "bvh_closest",
             "What lies just at an end of `within` is asked, and does not count: \"just where the interval ends\", \"just where the interval begins\".",

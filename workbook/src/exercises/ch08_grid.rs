@@ -90,11 +90,11 @@ exercises! { ($) ch08_grid
 row! {
     /// A cell by its numbers along the axes, from 0; or how many there are along each.
     pub struct Cell {
-        /// The number along x, from 0.
+        /// Along x: a cell's number, from 0; or how many cells there are.
         pub x: u32,
-        /// The number along y, from 0.
+        /// Along y: a cell's number, from 0; or how many cells there are.
         pub y: u32,
-        /// The number along z, from 0.
+        /// Along z: a cell's number, from 0; or how many cells there are.
         pub z: u32,
     }
 }

@@ -183,7 +183,7 @@ impl Graded for ShadowRay {
             hint: "Can something behind the light throw a shadow?",
         },
         Flaw {
-            complaint: "behind the light, and not before it",
+            complaint: "the light, and not before it",
             name: "ends the interval at the light or behind it",
             hint: "The light itself may be a surface in the scene: does the ray find it, if the interval ends behind it?",
         },

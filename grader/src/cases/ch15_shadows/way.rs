@@ -112,6 +112,9 @@ pub(super) fn ends_before(q: &ShadowRay, got: &Way) -> Verdict {
     }
     let before = distance - ends(q, got)[1].dot(q.toward.as_dvec3());
     if before.is_nan() || before < NEAREST_END * distance {
+        if before.abs() < f64::from(f32::EPSILON) * distance {
+            return Err("the interval ends at the light, and not before it".to_owned());
+        }
         Err(format!(
             "the interval ends {:.4} m behind the light, and not before it",
             (-before).max(0.0)

@@ -37,12 +37,8 @@ const SPREAD: [u32; SHARED] = [0, 0b1, 0b100, 0b101, 0b1_0000, 0b1_0001, 0b1_010
 pub struct Even {
     /// The key from which all numbers of the sequence follow.
     key: u64,
-    /// The column and the row of the pixel, in its square.
-    pixel: [usize; 2],
-    /// The sample's number, from 0.
-    index: u32,
-    /// Number of samples of a pixel, a power of two.
-    samples: u32,
+    /// The sample's place in the sequence, in each of three orders of the pixels that share it.
+    places: [u32; 3],
     /// A mask of the binary digits of the places in the sequence: its length, a power of two, minus 1.
     mask: u32,
     /// Number of pairs made.
@@ -56,13 +52,10 @@ impl Even {
     /// `samples` is at most 2³¹.
     #[inline]
     pub fn new(key: u64, index: usize, samples: usize) -> Self {
-        let samples = (samples.min(1 << 31) as u32).next_power_of_two();
         Self {
             key,
-            pixel: [0, 0],
-            index: index as u32,
-            samples,
-            mask: samples - 1,
+            places: [index as u32; 3],
+            mask: length(samples) - 1,
             pairs: 0,
             second: None,
         }
@@ -90,12 +83,19 @@ impl Even {
     #[inline]
     pub fn of_pixel(seed: u64, [x, y]: [usize; 2], index: usize, samples: usize) -> Self {
         let square = ((y / SHARED) as u64) << 32 | (x / SHARED) as u64;
-        let alone = Self::new(mix(seed ^ mix(square)), index, samples);
+        let (x, y, samples) = (x % SHARED, y % SHARED, length(samples));
+        // Which of its three neighbours in a 2 × 2 block comes next to a pixel: each in one of the orders, so that no direction is preferred.
+        let orders = [[x, y], [y, x], [x, x ^ y]];
         let pixels = (SHARED * SHARED) as u32;
         Self {
-            pixel: [x % SHARED, y % SHARED],
-            mask: alone.samples.wrapping_mul(pixels).wrapping_sub(1),
-            ..alone
+            key: mix(seed ^ mix(square)),
+            places: orders.map(|[low, high]| {
+                let before = SPREAD[low] | SPREAD[high] << 1;
+                before.wrapping_mul(samples) | index as u32
+            }),
+            mask: samples.wrapping_mul(pixels).wrapping_sub(1),
+            pairs: 0,
+            second: None,
         }
     }
 
@@ -105,20 +105,6 @@ impl Even {
         let Ok(first) = self.try_next_u32();
         let Ok(second) = self.try_next_u32();
         vec2(unit(first), unit(second))
-    }
-
-    /// The sample's place in the sequence. Which of its three neighbours in a 2 × 2 block comes next to a pixel is `choice` modulo 3: so no
-    /// direction is preferred.
-    #[inline]
-    fn place(&self, choice: u32) -> u32 {
-        let [x, y] = self.pixel;
-        let [low, high] = match choice % 3 {
-            0 => [x, y],
-            1 => [y, x],
-            _ => [x, x ^ y],
-        };
-        let before = SPREAD[low] | SPREAD[high] << 1;
-        before.wrapping_mul(self.samples) | self.index
     }
 }
 
@@ -135,7 +121,8 @@ impl TryRng for Even {
         self.pairs += 1;
         // The places are shuffled. Each digit of the new place depends on the digits before it only: so a run of 2ᵏ places, from a multiple
         // of 2ᵏ on, stays such a run, and a pixel, or a block of pixels, stays even. The mask keeps the place in the sequence.
-        let place = scramble(self.place((order >> 32) as u32), order as u32) & self.mask;
+        let place = self.places[(order >> 32) as usize % 3];
+        let place = scramble(place, order as u32) & self.mask;
         let [x, y] = sobol(place);
         self.second = Some(scramble(y, (keys >> 32) as u32));
         Ok(scramble(x, keys as u32))
@@ -148,6 +135,12 @@ impl TryRng for Even {
     fn try_fill_bytes(&mut self, bytes: &mut [u8]) -> Result<(), Infallible> {
         fill_bytes_via_next_word(bytes, || self.try_next_u32())
     }
+}
+
+/// The length of the piece of a sequence that a pixel's samples take: their number, rounded up to a power of two.
+#[inline]
+fn length(samples: usize) -> u32 {
+    (samples.min(1 << 31) as u32).next_power_of_two()
 }
 
 /// A scramble like [`owen::scramble`](crate::sample::pattern::owen::scramble), but for all digits at once. A product carries

@@ -607,8 +607,8 @@ impl Graded for VisibleFraction {
     ];
 }
 
-/// The least `few` of which all `fractions` are whole parts, as if that were the number of samples, if it is so far below `samples` that chance
-/// does not explain it: a fraction between 0 and 1 is such a part by chance with the probability `few`/`samples`.
+/// The least number of samples of which all `fractions` are whole parts, if it is so far below `samples` that chance does not explain it: a
+/// fraction between 0 and 1 is such a part by chance with the probability number/`samples`.
 fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
     /// By chance, all are whole parts of one of these numbers with a probability below this.
     const CHANCE: f32 = 1e-4;

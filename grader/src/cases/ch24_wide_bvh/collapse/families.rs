@@ -9,13 +9,9 @@ pub(super) fn families(
     q: &Collapse,
     open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
 ) -> Vec<FamilyRow> {
-    families_of(q, |branch| {
-        let mut children = pair(q, branch).to_vec();
-        while let Some(i) = open(q, &children) {
-            let opened = children.remove(i);
-            children.extend(pair(q, opened));
-        }
-        children
+    families_by(q, open, |children, i, two| {
+        children.remove(i);
+        children.extend(two);
     })
 }
 
@@ -24,11 +20,22 @@ pub(super) fn in_place(
     q: &Collapse,
     open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
 ) -> Vec<FamilyRow> {
+    families_by(q, open, |children, i, two| {
+        children.splice(i..=i, two);
+    })
+}
+
+/// Families whose members are chosen by `open`; `put` gives the place of member i to its two children.
+fn families_by(
+    q: &Collapse,
+    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
+    put: fn(&mut Vec<u32>, usize, [u32; 2]),
+) -> Vec<FamilyRow> {
     families_of(q, |branch| {
         let mut children = pair(q, branch).to_vec();
         while let Some(i) = open(q, &children) {
-            let opened = children[i];
-            children.splice(i..=i, pair(q, opened));
+            let two = pair(q, children[i]);
+            put(&mut children, i, two);
         }
         children
     })

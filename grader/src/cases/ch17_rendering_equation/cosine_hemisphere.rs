@@ -1,80 +1,18 @@
 //! `cosine_hemisphere`: judged by what its directions have in common.
 
+mod maps;
+
 use super::{at_height, farthest};
-use crate::cases::ch16_soft_shadows::{crossed, unless_near};
+use crate::cases::ch16_soft_shadows::unless_near;
 use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
-use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
+use maps::{around, beside, by_axes, chosen, half_squeezed, leaning, over_disc, shrunk, squeezed};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
-use raybook_workbook::exercises::ch17_rendering_equation::{CosineHemisphere, lattice};
+use raybook_workbook::exercises::ch17_rendering_equation::CosineHemisphere;
 use std::f32::consts::{FRAC_PI_2, PI, TAU};
-
-/// How two uniform numbers make a direction, in coordinates whose z is the normal: the cosine of the angle to it, made of the first number, and
-/// the angle around it, made of both.
-#[derive(Clone, Copy)]
-struct How {
-    cosine: fn(f32) -> f32,
-    turn: fn(Vec2) -> f32,
-}
-
-/// The lattice's images, but for what is changed.
-fn chosen(q: &CosineHemisphere, change: impl FnOnce(&mut How)) -> Vec<Vec3> {
-    let right = How {
-        cosine: |u| (1.0 - u).sqrt(),
-        turn: |u| TAU * u.y,
-    };
-    let How { cosine, turn } = changed(right, change);
-    let basis = Basis::around(q.normal);
-    let image = |u: Vec2| basis.to_world(at_height(cosine(u.x), turn(u)));
-    lattice(q.n).map(image).collect()
-}
-
-/// The lattice's images by another map, given in coordinates whose z is the normal.
-fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> {
-    let basis = Basis::around(q.normal);
-    lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
-}
-
-/// The lattice's images by these axes beside the normal.
-fn by_axes(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
-    let image = |u: Vec2| {
-        let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
-        d.x * x + d.y * y + d.z * *q.normal
-    };
-    lattice(q.n).map(image).collect()
-}
-
-/// The same, brought to length 1.
-fn beside(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
-    let images = by_axes(q, x, y).into_iter();
-    images.map(Vec3::normalize_or_zero).collect()
-}
-
-/// The lattice's images, brought to length 1, by axes that are cross products with another vector, and not of length 1.
-fn squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    let [x, y] = crossed(q.normal, up);
-    beside(q, x, y)
-}
-
-/// The same, but the first of the axes is of length 1.
-fn half_squeezed(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    let [x, y] = crossed(q.normal, up);
-    beside(q, x.normalize_or_zero(), y)
-}
-
-/// The lattice's images, where one axis beside the normal is an axis of the world itself, and the other is perpendicular to both.
-fn leaning(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    by_axes(q, q.normal.cross(up).normalize_or_zero(), up)
-}
-
-/// The lattice's images by axes that are cross products with another vector. Neither are of length 1.
-fn shrunk(q: &CosineHemisphere, up: Vec3) -> Vec<Vec3> {
-    let [x, y] = crossed(q.normal, up);
-    by_axes(q, x, y)
-}
 
 /// By how much the mean of (d·a)² is greater than it should be, for an axis a of the world: ½ (n·a)² + ¼ (1 − (n·a)²).
 fn leans(q: &CosineHemisphere, got: &[Vec3], axis: Vec3) -> f64 {
@@ -119,12 +57,6 @@ fn fills(q: &CosineHemisphere, got: &[Vec3]) -> Verdict {
         ));
     }
     Ok(())
-}
-
-/// A point of the unit disc, lifted by 1 − r².
-fn over_disc(u: Vec2) -> Vec3 {
-    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r * r)
 }
 
 impl Graded for CosineHemisphere {

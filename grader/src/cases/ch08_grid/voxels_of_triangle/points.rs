@@ -1,6 +1,6 @@
 //! The cells of points of a triangle, by which students take the whole triangle into cells.
 
-use super::of_lattice;
+use super::overlaps::of_lattice;
 use glam::Vec3;
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 

@@ -55,8 +55,9 @@ pub fn number_within(name: &str, unit: &str, golden: f32, got: f32, tolerance: f
 }
 
 /// A size in few digits, however small.
-fn size(size: f32) -> String {
-    if size >= 0.001 || size == 0.0 {
+pub fn size(size: impl Into<f64>) -> String {
+    let size = size.into();
+    if size.abs() >= 0.001 || size == 0.0 {
         format!("{size:.4}")
     } else {
         format!("{size:.1e}")
@@ -73,7 +74,10 @@ pub fn point(name: &str, golden: Vec3, got: Vec3) -> Verdict {
     if off <= RELATIVE * golden.length().max(1.0) {
         Ok(())
     } else {
-        Err(format!("{name} is {off:.4} m away from where it should be"))
+        Err(format!(
+            "{name} is {} m away from where it should be",
+            size(off)
+        ))
     }
 }
 

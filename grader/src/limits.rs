@@ -250,6 +250,12 @@ fn of_comparing(
             let any = turned.iter().all(|&right| right);
             let counts = if any { "does not count" } else { "counts" };
             said.push(format!("The order of `{name}` {counts}."));
+            if any && are_samples(examiner, questions, answers) {
+                said.push(format!(
+                    "`{name}`: not compared one by one, but by what all of them have in common."
+                ));
+                return said;
+            }
         }
     }
     let step = if examiner.limits().effort < SLOW {
@@ -268,6 +274,16 @@ fn of_comparing(
         said.extend(of_leeways(&part.name, &measured, together));
     }
     said
+}
+
+/// Whether an answer is points or directions of which only the distribution is compared.
+fn are_samples(examiner: &dyn Examiner, questions: &[Row<'_>], answers: &[Row<'_>]) -> bool {
+    let have_traits = |(question, answer): (&Row<'_>, &Row<'_>)| {
+        let traits = examiner.traits(&question.numbers, &answer.numbers);
+        !traits.is_empty()
+    };
+    let kind = examiner.asked().answer.kind;
+    matches!(kind, Kind::List(Kind::Numbers(_))) && questions.iter().zip(answers).any(have_traits)
 }
 
 /// How far the values of a part may be off, in a sentence: in both directions, or where that is nothing, in each. Where any other value is

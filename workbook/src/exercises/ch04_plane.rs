@@ -6,7 +6,7 @@ use raybook::shape::{Shape, plane::Plane};
 
 exercises! { ($) ch04_plane
     /// Return the distance t at which the ray meets the plane n·p = offset. It counts only if min < t < max; else there
-    /// is no answer.
+    /// is no answer. A ray that runs within the plane does not meet it.
     ///
     /// In Rust: the distance as `Some(Hit { t, uv: Vec2::ZERO, id: 0 })`.
     PlaneHit: plane_hit(

@@ -8,8 +8,8 @@ use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{attributes, mesh::Facet};
 
 exercises! { ($) ch07_mesh
-    /// Return the unit normal inside a triangle, from the normals at its corners and the weights b1 and b2 of the
-    /// second and the third corner.
+    /// Return the unit normal inside a triangle: the sum of the normals at its corners, with the weights 1 − b1 − b2, b1
+    /// and b2, brought to length 1.
     InterpolateNormal: interpolate_normal(
         /// The normal at the first corner.
         n0: Dir3,

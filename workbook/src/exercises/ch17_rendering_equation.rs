@@ -19,7 +19,7 @@ exercises! { ($) ch17_rendering_equation
         /// The number of points of the unit square.
         n: u32,
     ) -> (
-        /// The n directions of length 1, in the order of the points.
+        /// The n directions of length 1, one for each point.
         direction: Vec<Vec3>,
     ) {
         lattice(n)

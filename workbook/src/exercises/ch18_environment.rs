@@ -50,7 +50,7 @@ exercises! { ($) ch18_environment
         /// The radiance of each texel, in W·m⁻²·sr⁻¹, row by row from the top left.
         texels: Vec<f32>,
     ) -> (
-        /// The 256 directions of length 1, in the order of the points; no direction for a black map.
+        /// The 256 directions of length 1, one for each point; no direction for a black map.
         direction: Vec<Vec3>,
     ) {
         let environment = environment(width, height, &texels);

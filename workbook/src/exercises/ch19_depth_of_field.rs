@@ -21,7 +21,7 @@ exercises! { ($) ch19_depth_of_field
         /// By how much all points are moved (one that leaves the square comes in on the other side),
         shift: Vec2 [from -1 to 1],
     ) -> (
-        /// The n points of the unit disc, in the order of the points u.
+        /// The n points of the unit disc, one for each u.
         point: Vec<Vec2>,
     ) |q| {
         q.points().map(disk::concentric_disk).collect()

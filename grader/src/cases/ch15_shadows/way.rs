@@ -1,5 +1,6 @@
 //! The judge of `shadow_ray`: where the way to the light begins and where it ends.
 
+use crate::judge::size;
 use crate::{Verdict, judge};
 use glam::DVec3;
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
@@ -70,8 +71,10 @@ pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
         && let Some(aside) = beside_the_normal(origin, q)
     {
         Err(format!(
-            "the ray starts {:.4} m {aside}: that is {off:.4} m off the surface, and {needed:.4} m are needed",
-            origin.length()
+            "the ray starts {} m {aside}: that is {} m off the surface, and {} m are needed",
+            size(origin.length()),
+            size(off),
+            size(needed)
         ))
     } else if off < ROUNDED * needed {
         let side = if off < 0.0 {
@@ -80,12 +83,15 @@ pub(super) fn starts_off(q: &ShadowRay, got: &Way) -> Verdict {
             "off"
         };
         Err(format!(
-            "the ray starts {:.4} m {side} the point, but the surface may be {needed:.4} m off: it may find its own surface again",
-            off.abs()
+            "the ray starts {} m {side} the point, but the surface may be {} m off: it may find its own surface again",
+            size(off.abs()),
+            size(needed)
         ))
     } else if far * cosine.abs() > FARTHEST * needed {
         Err(format!(
-            "the ray starts {far:.4} m from the point, where {needed:.4} m off the surface are enough: what is in between throws no shadow"
+            "the ray starts {} m from the point, where {} m off the surface are enough: what is in between throws no shadow",
+            size(far),
+            size(needed)
         ))
     } else {
         Ok(())
@@ -116,12 +122,13 @@ pub(super) fn ends_before(q: &ShadowRay, got: &Way) -> Verdict {
             return Err("the interval ends at the light, and not before it".to_owned());
         }
         Err(format!(
-            "the interval ends {:.4} m behind the light, and not before it",
-            (-before).max(0.0)
+            "the interval ends {} m behind the light, and not before it",
+            size((-before).max(0.0))
         ))
     } else if before > FARTHEST_END * distance + FARTHEST * f64::from(q.error) {
         Err(format!(
-            "the interval ends {before:.4} m before the light, too soon"
+            "the interval ends {} m before the light, too soon",
+            size(before)
         ))
     } else {
         Ok(())

@@ -56,8 +56,9 @@ impl Graded for SampleRect {
                     let is_met = right > 0.0 && (there - 0.5).abs().max_element() <= 0.5 + margin;
                     return Err(if is_met {
                         format!(
-                            "the light is {right:.4} m away in its direction, and its distance is {:.4} m",
-                            chosen.distance
+                            "the light is {} m away in its direction, and its distance is {} m",
+                            judge::size(right),
+                            judge::size(chosen.distance)
                         )
                     } else {
                         "its point is not on the light".to_owned()

@@ -66,8 +66,8 @@ impl Graded for SampleSphereLight {
             let on_it = (f64::from(chosen.distance) - right).abs() <= tolerance;
             if !on_it {
                 return Err(format!(
-                    "at a distance of {:.4} m, there is no point of the light that is seen",
-                    chosen.distance
+                    "at a distance of {} m, there is no point of the light that is seen",
+                    judge::size(chosen.distance)
                 ));
             }
             judge::number_within("the density", "/sr", pdf, chosen.pdf, DENSITY * pdf)

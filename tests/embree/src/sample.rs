@@ -3,7 +3,6 @@
 use crate::embree::{Embree, Mode};
 use crate::questions::{named, shapes};
 use crate::rays::{KINDS, Kind, rays};
-use embree3::Isa;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook_common::oracle::judge::{Answer, Verdict, judge};
 use raybook_common::oracle::recording::{line, shape};
@@ -25,12 +24,12 @@ const STEP: usize = 11;
 pub fn recording(file: &str) -> Result<String, String> {
     // The instructions that every x86-64 processor has; `rcpps`, with which Embree begins a division, still differs in its
     // last digits from one maker to another.
-    let embree = Embree::with(Some(Isa::Sse2))?;
+    let embree = Embree::of_sse2()?;
     let mut text = format!(
         "# What Embree {} answers ({file}), limited to SSE2: its divisions end a digit short of exact.\n\
          # Renew: RAYBOOK_BLESS=1 cargo test --release -p raybook-embree\n\
          # name  origin  direction  from to  {}  = t triangle b1 b2 normal, or = none\n",
-        embree.version()?,
+        embree.version(),
         match file {
             "triangle" => "triangle corner corner corner",
             "sphere" => "sphere centre radius",

@@ -9,8 +9,11 @@ use crate::examine::{Case, Examiner, visible_rng};
 use crate::together::Bounds;
 use std::io;
 
-/// Eighths of the questions that are asked before each verdict.
-const ROUNDS: [usize; 4] = [1, 2, 4, 8];
+/// Eighths of the questions that are asked before the first verdict.
+pub const FIRST_EIGHTHS: usize = 1;
+
+/// The same before each verdict.
+const ROUNDS: [usize; 4] = [FIRST_EIGHTHS, 2, 4, 8];
 
 /// A question with an answer, in numbers.
 pub type Row = (Vec<f64>, Vec<f64>);

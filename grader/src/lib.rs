@@ -110,6 +110,10 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         None
     }
 
+    /// What the judge allows where many answers are right, in sentences for students: how much dearer a tree may be, or how much room a
+    /// pattern may leave.
+    const ALLOWS: &'static str = "";
+
     /// Questions that follow from others.
     const RELATIONS: &'static [Relation<Self>] = &[];
 

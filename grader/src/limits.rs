@@ -2,6 +2,7 @@
 //! and how exactly they are compared. Said of the cases themselves and by the judge itself, so it cannot be out of date.
 
 use crate::examine::{Case, Examiner};
+use crate::further::FIRST_EIGHTHS;
 use crate::jump::{Jump, is_interval, jumps};
 use crate::layout::{Layout, Part, layout, lists, parts};
 use crate::leeway::{LONG, Leeway, leeways};
@@ -54,9 +55,10 @@ pub fn limits(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     said.extend(of_jumps(examiner, cases));
     said.push(of_several(cases));
     said.extend(of_comparing(examiner, &questions, &answers));
+    said.extend(Some(examiner.allows().to_owned()).filter(|allows| !allows.is_empty()));
     said.extend(of_names(cases));
     said.extend(of_crowds(examiner, cases));
-    said.push(of_further(examiner, cases));
+    said.extend(of_further(examiner, cases));
     said
 }
 
@@ -210,12 +212,21 @@ fn of_crowds(examiner: &dyn Examiner, cases: &[Case]) -> Option<String> {
 }
 
 /// What is asked of who is right in the cases.
-fn of_further(examiner: &dyn Examiner, cases: &[Case]) -> String {
+fn of_further(examiner: &dyn Examiner, cases: &[Case]) -> Vec<String> {
     let [check, grade] =
         [Depth::Check, Depth::Grade].map(|depth| examiner.rare_count(cases, depth));
     let random = cases.iter().filter(|case| case.is_random()).count();
     let region = 100.0 * smallest_region(random + grade);
+    let together = examiner.further_questions(cases).len();
+    let mut said = Vec::new();
+    if together > 0 {
+        let first = together * FIRST_EIGHTHS / 8;
+        said.push(format!(
+            "All answers are judged together, too; who is right so far is asked {first} questions for it, and up to {together} as long as there is doubt."
+        ));
+    }
     let further = match (check, grade) {
+        (_, 0) if together > 0 => return said,
         (_, 0) => "No further random questions are asked".to_owned(),
         (0, _) => format!(
             "Who is right in all cases is asked {grade} further random questions where a class is graded"
@@ -224,7 +235,10 @@ fn of_further(examiner: &dyn Examiner, cases: &[Case]) -> String {
             "Who is right in all cases is asked {check} further random questions, and {grade} where a class is graded"
         ),
     };
-    format!("{further}: a fault in {region:.1} % of all questions is then met with 95 %.")
+    said.push(format!(
+        "{further}: a fault in {region:.1} % of all questions is then met with 95 %."
+    ));
+    said
 }
 
 /// How answers are compared: whether order and length count, and how far numbers may be off.

@@ -5,7 +5,7 @@ mod states;
 
 use raybook_grader::ask::{Reply, Said};
 use raybook_grader::cases;
-use raybook_grader::check::{Report, assess};
+use raybook_grader::check::{Mark, Outcome, Report, assess};
 use raybook_grader::converse::Prints;
 use raybook_grader::dress::Dress;
 use raybook_grader::examine::{Examiner, visible_rng};
@@ -59,4 +59,25 @@ fn a_sentence_has_one_mark_at_its_end() {
     ] {
         assert_eq!(feedback::ended(said), ended);
     }
+}
+
+#[test]
+fn one_wrong_answer_does_not_hide_what_is_wrong_in_all_together() {
+    let question_of_one_wrong = "150 151";
+    let report = report("random_pattern", |examiner, question| {
+        let (n, _) = question.split_once(' ').expect("n and the seed");
+        let same_seed = right(examiner, &format!("{n} 1"));
+        if question
+            .split_whitespace()
+            .eq(question_of_one_wrong.split(' '))
+        {
+            Said::Answer("0".into())
+        } else {
+            same_seed
+        }
+    });
+    let is_together = |one: &&Outcome| matches!(&one.verdict, Mark::Wrong(why) if why.starts_with("in all answers together"));
+    let together = report.cases.iter().filter(is_together).count();
+    assert_eq!(report.right(), 0);
+    assert_eq!(together, report.cases.len() - 1, "all but the one");
 }

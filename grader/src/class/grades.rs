@@ -185,9 +185,16 @@ fn days_late(due: Timestamp, came: Timestamp, late: &Late) -> i64 {
     seconds.div_euclid(DAY) + i64::from(seconds.rem_euclid(DAY) > 0)
 }
 
-/// The share of an exercise's points; `None` if nothing is known.
+/// The share of an exercise's points; `None` if nothing is known. A program that is right on the visible cases only may have their
+/// answers by heart: it is paid for hidden ones alone.
 fn share(course: &Course, result: &Marked) -> Option<f64> {
-    let [right, asked] = result.right.map(|n| n as f64);
+    let known = if result.right_on_visible_only() {
+        result.visible
+    } else {
+        [0, 0]
+    };
+    let paid = |i: usize| result.right[i].saturating_sub(known[i]) as f64;
+    let [right, asked] = [paid(0), paid(1)];
     match result.standing {
         Standing::Right => Some(1.0),
         Standing::Wrong if asked > 0.0 => Some(course.partial * right / asked),

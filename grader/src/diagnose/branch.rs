@@ -80,8 +80,8 @@ pub fn search(
     })?;
     let when = &decision.name;
     let name = match (silent, &same, holds) {
-        (true, _, true) => format!("gives no answer when {when}, and only then"),
-        (true, _, false) => format!("answers only when {when}"),
+        (true, _, true) => format!("comes to no answer when {when}, and only then"),
+        (true, _, false) => format!("comes to an answer only when {when}"),
         (_, Some(same), true) => format!("returns {same} when {when}, whatever else is asked"),
         (_, Some(same), false) => format!("returns {same} unless {when}"),
         (_, None, true) => format!("is wrong when {when}, and only then"),

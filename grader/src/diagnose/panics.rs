@@ -116,12 +116,20 @@ pub fn with_panics(
     outcomes: &[Outcome],
     wrong: usize,
 ) -> Option<Diagnosis> {
-    let Some(died) = common(outcomes, wrong) else {
+    let Some(mut died) = common(outcomes, wrong) else {
         return found;
     };
     let Some(found) = found else {
         return Some(died);
     };
+    // Of a function that stops in all wrong cases there is nothing to see but in which.
+    if outcomes.iter().filter(|one| message(one).is_some()).count() == wrong {
+        died.also.push(Diagnosis {
+            beside: Beside::Shown,
+            ..found
+        });
+        return Some(died);
+    }
     // What explains every answer that came goes wrong in the others, too.
     let is_cause = found.explained >= CAME && found.explained + died.explained >= wrong;
     let (mut first, second) = if is_cause || found.explained > died.explained {

@@ -106,6 +106,10 @@ impl<E: Graded> Examiner for Examination<E> {
         to_numbers(&E::canonical(&from_numbers(question), from_numbers(answer)))
     }
 
+    fn allows(&self) -> &'static str {
+        E::ALLOWS
+    }
+
     fn flaws(&self) -> &'static [Flaw] {
         E::FLAWS
     }

@@ -90,6 +90,11 @@ pub trait Examiner: Sync {
     /// See [`canonical`](crate::Graded::canonical).
     fn canonical(&self, question: &[f64], answer: &[f64]) -> Vec<f64>;
 
+    /// See [`ALLOWS`](crate::Graded::ALLOWS).
+    fn allows(&self) -> &'static str {
+        ""
+    }
+
     /// See [`FLAWS`](crate::Graded::FLAWS).
     fn flaws(&self) -> &'static [Flaw];
 

@@ -7,7 +7,7 @@ use biases::{BIASES, Bias};
 use raybook::inside::Space;
 use raybook::math::pcg;
 use raybook::sample::pattern::poisson_disk::poisson_disk;
-use raybook_common::snapshot;
+use raybook_common::{STALE, measured};
 use raybook_grader::Verdict;
 use raybook_grader::cases;
 use raybook_grader::examine::{Case, Examiner};
@@ -169,7 +169,7 @@ fn who_keeps_the_distance_over_the_edges_too_is_told_that_nothing_is_repeated() 
 
 #[test]
 fn small_biases_are_found_as_often_as_the_table_says() {
-    let mut table = format!("{:<20} {:<46} found\n", "exercise", "fault");
+    let mut table = String::from("| exercise | the function … | found in |\n|---|---|---|\n");
     for (exercise, students) in EXERCISES.iter().zip(&*ASKED) {
         let exercise = *exercise;
         let of_exercise = BIASES.iter().find(|(name, _)| *name == exercise);
@@ -191,8 +191,8 @@ fn small_biases_are_found_as_often_as_the_table_says() {
         let found: Vec<_> = found.collect();
         for (i, (fault, _)) in biases.iter().enumerate() {
             let found = 100 * found.iter().filter(|found| found[i]).count() / STUDENTS;
-            writeln!(table, "{exercise:<20} {fault:<46} {found:>3} %").expect("text");
+            writeln!(table, "| `{exercise}` | {fault} | {found} % |").expect("text");
         }
     }
-    snapshot("judged_together", &table);
+    assert_eq!(measured("biases", &table), table, "{STALE}");
 }

@@ -81,7 +81,7 @@ fn a_case_without_an_answer_is_told_by_its_branch() {
     let found = diagnosed("fresnel", |q| {
         fresnel(q, |n2, cos1| n2 * cos1).map(Vec::from)
     });
-    let told = "gives no answer when cos²θ₂ is not positive, and only then";
+    let told = "comes to no answer when cos²θ₂ is not positive, and only then";
     assert_eq!((&*found.name, found.certain), (told, true));
 }
 

@@ -42,7 +42,7 @@ exercises! { ($) ch16_soft_shadows
 
     /// For each of the n·n pairs u = ((i + ½)/n, (j + ½)/n), return a sample of the spherical light, uniform over the
     /// solid angle in which it is seen: the direction and the distance to the light, the probability density of the
-    /// direction per steradian, and radiance/density. A light that is small and far is sampled as exactly as a near one.
+    /// direction per steradian, and radiance/density.
     SampleSphereLight: sample_sphere_light(
         /// The point that is lit, in metres; it may be inside the light.
         at: Vec3,
@@ -55,7 +55,7 @@ exercises! { ($) ch16_soft_shadows
         /// The number of points along each side of the lattice.
         n: u32,
     ) -> (
-        /// The n·n samples, one for each pair u.
+        /// The n·n samples, one for each pair u; those of a light that is small and far are as exact as others.
         answer: Vec<Chosen>,
     ) {
         let light = SphereLight {

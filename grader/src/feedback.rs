@@ -357,15 +357,19 @@ fn kinds(report: &Report) -> Vec<String> {
         )];
     }
     let named = |right: bool| {
-        let outcomes = report
-            .cases
-            .iter()
-            .filter(|outcome| !outcome.case.is_random());
-        let of_kind = outcomes.filter(|outcome| (outcome.verdict == Mark::Right) == right);
-        of_kind
-            .map(|outcome| Untrusted::from(outcome.case.name.as_str()).to_string())
-            .collect::<Vec<_>>()
-            .join("; ")
+        let all = report.cases.iter();
+        let of_kind = all.filter(|outcome| (outcome.verdict == Mark::Right) == right);
+        let (random, named): (Vec<_>, Vec<_>) =
+            of_kind.partition(|outcome| outcome.case.is_random());
+        let names = named
+            .into_iter()
+            .map(|outcome| Untrusted::from(outcome.case.name.as_str()).to_string());
+        let random = match random.len() {
+            0 => None,
+            1 => Some("a random one".to_owned()),
+            many => Some(format!("{many} random ones")),
+        };
+        names.chain(random).collect::<Vec<_>>().join("; ")
     };
     let kinds = [("Wrong", named(false)), ("Right", named(true))];
     kinds

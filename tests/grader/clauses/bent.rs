@@ -32,7 +32,7 @@ const MAX: usize = 7;
 
 const AT_MIN: &str = "lets t = min count";
 const AT_MAX: &str = "lets t = max count";
-const NO_NEGATIVE: &str = "takes 0 for a negative min";
+const NO_POSITIVE: &str = "takes 0 for a positive min";
 
 pub const BENT: &[Bent] = &[
     bent("encode_srgb", "does not clamp below 0", |right, q| {
@@ -45,6 +45,20 @@ pub const BENT: &[Bent] = &[
     bent("encode_srgb", "does not clamp above 1", |right, q| {
         if q[0] > 1.0 {
             vec![1.055 * q[0].powf(1.0 / 2.4) - 0.055]
+        } else {
+            right(q)
+        }
+    }),
+    bent("encode_srgb", "clamps from 1.1 on only", |right, q| {
+        if (1.0..1.1).contains(&q[0]) {
+            vec![1.055 * q[0].powf(1.0 / 2.4) - 0.055]
+        } else {
+            right(q)
+        }
+    }),
+    bent("encode_srgb", "clamps from −0.1 down only", |right, q| {
+        if (-0.1..0.0).contains(&q[0]) {
+            vec![12.92 * q[0]]
         } else {
             right(q)
         }
@@ -62,7 +76,7 @@ pub const BENT: &[Bent] = &[
     ),
     bent("sphere_hit", AT_MIN, at_min),
     bent("sphere_hit", AT_MAX, at_max),
-    bent("sphere_hit", NO_NEGATIVE, no_negative),
+    bent("sphere_hit", NO_POSITIVE, no_positive),
     bent("sphere_hit", "misses spheres that it grazes", |right, q| {
         let [o, d, c] = [0, 3, 8].map(|at| DVec3::from_slice(&q[at..]));
         let beside = (c - o).cross(d).length() / d.length();
@@ -70,7 +84,7 @@ pub const BENT: &[Bent] = &[
     }),
     bent("plane_hit", AT_MIN, at_min),
     bent("plane_hit", AT_MAX, at_max),
-    bent("plane_hit", NO_NEGATIVE, no_negative),
+    bent("plane_hit", NO_POSITIVE, no_positive),
     bent(
         "plane_hit",
         "calls a ray a miss that is parallel to within 10⁻⁴",
@@ -79,15 +93,27 @@ pub const BENT: &[Bent] = &[
             none_if(d.dot(n).abs() < 1e-4, right(q))
         },
     ),
-    bent("box_clip", NO_NEGATIVE, no_negative),
+    bent("box_clip", NO_POSITIVE, no_positive),
     bent(
         "box_clip",
         "answers with the whole interval where the ray misses",
         |right, q| for_none(right(q), &[1.0, q[MIN], q[MAX]]),
     ),
+    bent(
+        "box_clip",
+        "counts a parallel ray as inside that is up to 1 m outside",
+        |right, q| {
+            let mut wider = q.to_vec();
+            for axis in (0..3).filter(|axis| q[3 + axis] == 0.0) {
+                wider[8 + axis] -= 1.0;
+                wider[11 + axis] += 1.0;
+            }
+            right(&wider)
+        },
+    ),
     bent("triangle_hit", AT_MIN, at_min),
     bent("triangle_hit", AT_MAX, at_max),
-    bent("triangle_hit", NO_NEGATIVE, no_negative),
+    bent("triangle_hit", NO_POSITIVE, no_positive),
     bent(
         "triangle_hit",
         "takes a determinant below 10⁻⁷ for 0",
@@ -103,6 +129,7 @@ pub const BENT: &[Bent] = &[
     ),
     bent("mesh_hit", AT_MIN, at_min),
     bent("mesh_hit", AT_MAX, at_max),
+    bent("mesh_hit", NO_POSITIVE, no_positive),
     bent(
         "mesh_hit",
         "answers with triangle 0 at max where all are missed",
@@ -173,6 +200,28 @@ pub const BENT: &[Bent] = &[
         },
     ),
     bent(
+        "brdf_phong",
+        "shows the matte part to a viewer up to 30° below the surface",
+        |right, q| shown_from_below(right, q, 3, 6),
+    ),
+    bent(
+        "brdf_phong",
+        "lights the matte part from up to 30° below the surface",
+        |right, q| shown_from_below(right, q, 6, 3),
+    ),
+    bent(
+        "pixel_average",
+        "returns black where the weights sum up to less than 0.3",
+        |right, q| {
+            let tent = |s: &[f64]| -> f64 {
+                let factors = s[..2].iter().map(|x| (1.0 - x.abs() / q[0]).max(0.0));
+                factors.product()
+            };
+            let sum: f64 = q[2..].chunks(5).map(tent).sum();
+            if sum < 0.3 { vec![0.0; 3] } else { right(q) }
+        },
+    ),
+    bent(
         "pixel_average",
         "answers with the first sample where the weights sum up to 0",
         |right, q| {
@@ -217,8 +266,8 @@ fn at_max(right: Right, q: &[f64]) -> Vec<f64> {
     right(&with(q, MAX, (q[MAX] as f32).next_up().into()))
 }
 
-fn no_negative(right: Right, q: &[f64]) -> Vec<f64> {
-    right(&with(q, MIN, q[MIN].max(0.0)))
+fn no_positive(right: Right, q: &[f64]) -> Vec<f64> {
+    right(&with(q, MIN, q[MIN].min(0.0)))
 }
 
 fn none_if(is_none: bool, answer: Vec<f64>) -> Vec<f64> {
@@ -230,5 +279,17 @@ fn for_none(answer: Vec<f64>, other: &[f64]) -> Vec<f64> {
         other.to_vec()
     } else {
         answer
+    }
+}
+
+/// The answer of `brdf_phong`, or the matte part of it where the first of these two directions is up to 30° below the surface, and the
+/// other one above.
+fn shown_from_below(right: Right, q: &[f64], below: usize, above: usize) -> Vec<f64> {
+    let normal = DVec3::from_slice(q);
+    let [below, above] = [below, above].map(|at| normal.dot(DVec3::from_slice(&q[at..])));
+    if (-0.5..=0.0).contains(&below) && above > 0.0 {
+        q[9..12].iter().map(|diffuse| diffuse / PI).collect()
+    } else {
+        right(q)
     }
 }

@@ -13,7 +13,7 @@ use raybook::shape::{Surface, sphere::Sphere};
 exercises! { ($) ch15_shadows
     /// Return the ray from a surface to a light, and the interval on it in which a hit is in the way. The ray must not
     /// find the surface that it leaves, and the interval ends before the light by at most a hundredth of the way. Aiming
-    /// from the moved origin, or in the direction that is given, is equally right.
+    /// from the moved origin, or in the given direction, is equally right.
     ShadowRay: shadow_ray(
         /// The point of the surface, in metres; along each axis it may be wrong by up to `error`.
         position: Vec3,

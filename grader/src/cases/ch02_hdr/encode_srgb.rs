@@ -1,6 +1,7 @@
 //! `encode_srgb`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch02_hdr::EncodeSrgb;
@@ -16,8 +17,14 @@ fn curve(v: f32, threshold: f32, exponent: f32, off: f32) -> f32 {
 
 impl Graded for EncodeSrgb {
     fn random(rng: &mut Pcg) -> EncodeSrgb {
-        let v = sample::number(rng, 0.0, 1.0);
-        EncodeSrgb { v: v * v } // more of them near black
+        let v = sample::number(rng, 0.0, 1.0).powi(2); // more of them near black
+        // One value in six is above 1, and one in six is below 0: more of them near these ends.
+        let v = match rng.random_range(0..6) {
+            0 => 1.0 + v,
+            1 => -0.5 * v,
+            _ => v,
+        };
+        EncodeSrgb { v }
     }
 
     fn judge(_q: &EncodeSrgb, golden: &f32, got: &f32) -> Verdict {

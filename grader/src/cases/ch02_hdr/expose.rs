@@ -95,5 +95,50 @@ impl Graded for Expose {
                 }
             },
         },
+        Mistake {
+            name: "takes powers of 2 for whole stops only, and interpolates linearly between two of them",
+            hint: "Half a stop twice is a whole stop, which is twice the light: by which factor is half a stop?",
+            answer: |q| between_whole(q, f32::floor),
+        },
+        Mistake {
+            name: "cuts off the number of stops behind the decimal point for the power of 2, and multiplies by 1 plus the rest",
+            hint: "Half a stop twice is a whole stop, which is twice the light: by which factor is half a stop?",
+            answer: |q| between_whole(q, f32::trunc),
+        },
+        Mistake {
+            name: "rounds the number of stops to a whole number",
+            hint: "Half a stop: is the picture as bright as before, twice as bright, or something between?",
+            answer: |q| q.radiance * q.stops.round_ties_even().exp2(),
+        },
+        Mistake {
+            name: "doubles once for each whole stop, and never halves",
+            hint: "A negative number of stops: how often does your loop go round? And half a stop?",
+            answer: |q| q.radiance * q.stops.max(0.0).floor().exp2(),
+        },
+        Mistake {
+            name: "multiplies by twice the number of stops, and for less light divides by it",
+            hint: "Three stops more: is that 2 · 3, or 2 · 2 · 2?",
+            answer: |q| {
+                let twice = 2.0 * q.stops;
+                if q.stops > 0.0 {
+                    q.radiance * twice
+                } else if q.stops < 0.0 {
+                    q.radiance / -twice
+                } else {
+                    q.radiance
+                }
+            },
+        },
+        Mistake {
+            name: "multiplies by twice the number of stops",
+            hint: "What should an exposure of 0 stops do? And is three stops more 2 · 3, or 2 · 2 · 2?",
+            answer: |q| q.radiance * (2.0 * q.stops),
+        },
     ];
+}
+
+/// The exposure by a power of 2 for a whole number of stops, and by 1 plus the rest of them.
+fn between_whole(q: &Expose, whole: fn(f32) -> f32) -> Rgb {
+    let full = whole(q.stops);
+    q.radiance * (full.exp2() * (1.0 + q.stops - full))
 }

@@ -293,6 +293,27 @@ impl Graded for SolveQuadratic {
                 SolveQuadratic::right(q).map(|t| vec2(0.5 * (t.x + t.y), 0.5 * (t.y - t.x)))
             },
         },
+        Mistake {
+            name: "writes /2*a in the root of the larger absolute value, which divides by 2 and multiplies by a",
+            hint: "What does your language calculate first in x/2*a?",
+            answer: |q| stable(q, q.a * q.a, 1.0),
+        },
+        Mistake {
+            name: "writes /2*a in the root of the larger absolute value, and makes the other root of that",
+            hint: "What does your language calculate first in x/2*a?",
+            answer: |q| stable(q, q.a * q.a, 1.0 / (q.a * q.a)),
+        },
+        Mistake {
+            name: "writes −b ± √…/2*a without any brackets",
+            hint: "What does your language calculate first in −b + x/2*a?",
+            answer: |q| {
+                roots(q, |q, root| {
+                    let part = 0.5 * root * q.a;
+                    vec2(-q.b - part, -q.b + part)
+                })
+                .map(sorted)
+            },
+        },
     ];
 }
 

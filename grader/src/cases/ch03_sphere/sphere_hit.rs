@@ -4,7 +4,7 @@ use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg};
+use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch03_sphere::SphereHit;
 
@@ -21,7 +21,7 @@ impl Graded for SphereHit {
             };
         let toward = sample::direction(rng);
         let origin = center - distance * *toward;
-        let (direction, max) = if touches {
+        let (direction, length) = if touches {
             let sine = (1.0 - sample::beside(rng)) * radius / distance;
             let side = Basis::around(toward).x;
             let cosine = (1.0 - sine * sine).sqrt();
@@ -30,9 +30,18 @@ impl Graded for SphereHit {
             let aim = center + sample::point(rng, 1.2 * radius);
             (aim - origin, sample::end(rng, 0.3, 0.5, 6.0))
         };
+        let ray = sample::ray(origin, direction);
+        // One interval in two begins ahead of the ray's origin or behind it, and the sphere may be behind it, too.
+        let (ray, min) = if rng.random_bool(0.5) {
+            let origin = ray.at(sample::number(rng, 0.0, 8.0));
+            let min = sample::number(rng, -6.0, 2.0);
+            (Ray::new(origin, ray.direction), min)
+        } else {
+            (ray, 0.0)
+        };
         SphereHit {
-            ray: sample::ray(origin, direction),
-            within: Interval::new(0.0, max),
+            ray,
+            within: Interval::new(min, min + length),
             center,
             radius,
         }
@@ -359,6 +368,16 @@ impl Graded for SphereHit {
             name: "calls a sphere a miss whose middle of the chord is not in the interval",
             hint: "The ends of the chord lie before and behind its middle: may one of them be in the interval without the middle?",
             answer: |q| q.right().filter(|_| q.within.contains(foot(q))),
+        },
+        Mistake {
+            name: "takes 0 for within.min, wherever the interval begins",
+            hint: "The interval says where hits begin to count: is that always at the ray's origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = 0.0),
+        },
+        Mistake {
+            name: "takes 0 for within.min where the interval begins behind the origin",
+            hint: "An interval may begin behind the origin: is what lies there in it?",
+            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
         },
     ];
 

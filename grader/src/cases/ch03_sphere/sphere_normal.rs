@@ -1,7 +1,7 @@
 //! `sphere_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Verdict, judge, sample};
-use glam::Vec3;
+use glam::{Vec2, Vec3};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch03_sphere::SphereNormal;
 
@@ -93,5 +93,112 @@ impl Graded for SphereNormal {
                 if n.y < 0.0 { -n } else { n }
             },
         },
+        Mistake {
+            name: "takes atan(z/x) for the angle round the y axis, where opposite points have the same quotient",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [2, 0], Upright::Well),
+        },
+        Mistake {
+            name: "takes atan(z/x) for the angle round the y axis, where opposite points have the same quotient, and π/2 where x is 0",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [2, 0], Upright::FirstHalf),
+        },
+        Mistake {
+            name: "takes atan(z/x) for the angle round the y axis, where opposite points have the same quotient, and is NaN at the poles",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to? And what is 0/0?",
+            answer: |q| by_quotient(q, [2, 0], Upright::NanAtPole),
+        },
+        Mistake {
+            name: "takes atan(x/z) for the angle round the y axis, where opposite points have the same quotient",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [0, 2], Upright::Well),
+        },
+        Mistake {
+            name: "takes atan(x/z) for the angle round the y axis, where opposite points have the same quotient, and π/2 where z is 0",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [0, 2], Upright::FirstHalf),
+        },
+        Mistake {
+            name: "takes atan(y/x) for the angle round the z axis, where opposite points have the same quotient",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [1, 0], Upright::Well),
+        },
+        Mistake {
+            name: "takes atan(y/x) for the angle round the z axis, where opposite points have the same quotient, and π/2 where x is 0",
+            hint: "Two opposite points have the same quotient: which of the two does your angle belong to?",
+            answer: |q| by_quotient(q, [1, 0], Upright::FirstHalf),
+        },
+        Mistake {
+            name: "takes the latitude for the angle from the pole",
+            hint: "On the equator the latitude is 0: what is the angle from the pole there, and which sine and cosine does your formula need?",
+            answer: |q| {
+                let n = Self::right(q);
+                let round = Vec2::new(n.x, n.z).try_normalize().unwrap_or(Vec2::X);
+                Vec3::new(n.y * round.x, Vec2::new(n.x, n.z).length(), n.y * round.y)
+            },
+        },
+        Mistake {
+            name: "returns the normal of a box's face, along the axis of the largest component",
+            hint: "How many different normals has a sphere, and how many has a box?",
+            answer: |q| {
+                let n = Self::right(q);
+                let largest = n.abs().max_position();
+                Vec3::AXES[largest] * n[largest].signum()
+            },
+        },
+        Mistake {
+            name: "never returns a negative x, as by a square root or by an arc cosine",
+            hint: "Two points of a sphere at the origin differ in the sign of x only: does your formula tell them apart?",
+            answer: |q| {
+                let n = Self::right(q);
+                n.with_x(n.x.abs())
+            },
+        },
+        Mistake {
+            name: "never returns a negative y, as by a square root or by an arc cosine",
+            hint: "Two points of a sphere at the origin differ in the sign of y only: does your formula tell them apart?",
+            answer: |q| {
+                let n = Self::right(q);
+                n.with_y(n.y.abs())
+            },
+        },
+        Mistake {
+            name: "never returns a negative z, as by a square root or by an arc cosine",
+            hint: "Two points of a sphere at the origin differ in the sign of z only: does your formula tell them apart?",
+            answer: |q| {
+                let n = Self::right(q);
+                n.with_z(n.z.abs())
+            },
+        },
     ];
+}
+
+/// What becomes of a quotient whose denominator is 0.
+#[derive(Clone, Copy)]
+enum Upright {
+    /// The right angle.
+    Well,
+    /// Always π/2.
+    FirstHalf,
+    /// NaN for 0/0, and otherwise the right angle.
+    NanAtPole,
+}
+
+/// The normal from an angle round an axis, which is the arctangent of the quotient of two components: where the one below is negative, both
+/// have the wrong sign. `upright` says what happens where that is 0.
+fn by_quotient(q: &SphereNormal, [over, under]: [usize; 2], upright: Upright) -> Vec3 {
+    let mut n = SphereNormal::right(q);
+    if n[under] == 0.0 {
+        match upright {
+            Upright::Well => {}
+            Upright::FirstHalf => n[over] = n[over].abs(),
+            Upright::NanAtPole if n[over] == 0.0 => (n[under], n[over]) = (f32::NAN, f32::NAN),
+            Upright::NanAtPole => {}
+        }
+        return n;
+    }
+    if n[under] < 0.0 {
+        (n[under], n[over]) = (-n[under], -n[over]);
+    }
+    n
 }

@@ -10,14 +10,16 @@ use raybook_workbook::exercises::ch04_plane::PlaneHit;
 
 impl Graded for PlaneHit {
     fn random(rng: &mut Pcg) -> PlaneHit {
-        let max = if rng.random_bool(0.4) {
-            sample::number(rng, 1.0, 8.0)
+        // One interval in two begins ahead of the ray's origin or behind it.
+        let min = if rng.random_bool(0.5) {
+            sample::number(rng, -6.0, 2.0)
         } else {
-            f32::INFINITY
+            0.0
         };
+        let max = min + sample::end(rng, 0.4, 1.0, 8.0);
         PlaneHit {
             ray: Ray::new(sample::point(rng, 4.0), sample::direction(rng)),
-            within: Interval::new(0.0, max),
+            within: Interval::new(min, max),
             normal: sample::direction(rng),
             offset: sample::number(rng, -3.0, 3.0),
         }
@@ -144,6 +146,62 @@ impl Graded for PlaneHit {
                 let sine = (1.0 - cosine * cosine).max(0.0).sqrt().copysign(cosine);
                 let t = (q.offset - q.normal.dot(q.ray.origin)) / sine;
                 (cosine != 0.0 && sine != 0.0 && q.within.contains(t)).then_some(t)
+            },
+        },
+        Mistake {
+            name: "takes the absolute value of n·d",
+            hint: "Look at the plane from both of its sides: what are the signs of the height and of n·d, and what is the sign of t?",
+            answer: |q| {
+                let height = q.offset - q.normal.dot(q.ray.origin);
+                let t = height / q.normal.dot(*q.ray.direction).abs();
+                q.within.contains(t).then_some(t)
+            },
+        },
+        Mistake {
+            name: "takes the absolute value of the origin's height above the plane",
+            hint: "The origin may be on either side of the plane: what is the sign of its height on each, and what is the sign of t?",
+            answer: |q| {
+                let height = (q.offset - q.normal.dot(q.ray.origin)).abs();
+                let t = height / q.normal.dot(*q.ray.direction);
+                q.within.contains(t).then_some(t)
+            },
+        },
+        Mistake {
+            name: "only asks for t < max",
+            hint: "What lies behind the origin is in front of max: what is the interval's min for?",
+            answer: |q| line(q).filter(|t| *t < q.within.max),
+        },
+        Mistake {
+            name: "skips the first millimetre of the interval",
+            hint: "You may have learnt to ignore small t against self-intersection; the interval you are given already says where hits begin to count.",
+            answer: |q| Self::misread(q, |q| q.within.min += 1e-3),
+        },
+        Mistake {
+            name: "takes 0 for within.min, wherever the interval begins",
+            hint: "The interval says where hits begin to count: is that always at the ray's origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = 0.0),
+        },
+        Mistake {
+            name: "takes 0 for within.min where the interval begins behind the origin",
+            hint: "An interval may begin behind the origin: is what lies there in it?",
+            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
+        },
+        Mistake {
+            name: "divides the origin's height above the plane by the absolute value of n·d",
+            hint: "Look at the plane from below: what are the signs of the height and of n·d, and what is the sign of t?",
+            answer: |q| {
+                let height = q.normal.dot(q.ray.origin) - q.offset;
+                let t = height / q.normal.dot(*q.ray.direction).abs();
+                q.within.contains(t).then_some(t)
+            },
+        },
+        Mistake {
+            name: "divides the absolute value of the origin's height above the plane by −n·d",
+            hint: "Look at the plane from below: what are the signs of the height and of n·d, and what is the sign of t?",
+            answer: |q| {
+                let height = (q.normal.dot(q.ray.origin) - q.offset).abs();
+                let t = -height / q.normal.dot(*q.ray.direction);
+                q.within.contains(t).then_some(t)
             },
         },
     ];

@@ -1,7 +1,7 @@
 //! `box_clip`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use glam::{Vec3, vec3};
+use glam::{DVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
@@ -14,18 +14,28 @@ impl Graded for BoxClip {
             sample::point(rng, 3.0),
             Vec3::splat(1.25) + sample::point(rng, 1.0),
         );
-        // One ray in eight passes close to an edge, on either side of it.
-        let ray = if rng.random_bool(0.125) {
-            beside_an_edge(rng, center, half)
-        } else {
-            let origin = center + sample::point(rng, 5.0);
-            let aim = center + sample::point(rng, 1.5) * half;
-            sample::ray(origin, aim - origin)
+        // One ray in eight passes close to an edge, on either side of it, and one in four is parallel to faces.
+        let ray = match rng.random_range(0..8) {
+            0 => beside_an_edge(rng, center, half),
+            1 | 2 => parallel_to_faces(rng, center, half),
+            _ => {
+                let origin = center + sample::point(rng, 5.0);
+                let aim = center + sample::point(rng, 1.5) * half;
+                sample::ray(origin, aim - origin)
+            }
         };
-        let max = sample::end(rng, 0.3, 1.0, 8.0);
+        // One interval in two begins ahead of the ray's origin or behind it, and the box may be behind it, too.
+        let (ray, min) = if rng.random_bool(0.5) {
+            let origin = ray.at(sample::number(rng, 0.0, 8.0));
+            let min = sample::number(rng, -6.0, 2.0);
+            (Ray::new(origin, ray.direction), min)
+        } else {
+            (ray, 0.0)
+        };
+        let max = min + sample::end(rng, 0.3, 1.0, 8.0);
         BoxClip {
             ray,
-            within: Interval::new(0.0, max),
+            within: Interval::new(min, max),
             min: center - half,
             max: center + half,
         }
@@ -290,6 +300,95 @@ impl Graded for BoxClip {
             hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
             answer: |q| ordered_by(q, [0, 1, 0]),
         },
+        Mistake {
+            name: "does not cut the answer off at the interval's max",
+            hint: "You are asked for a part of the interval: may your answer end behind max?",
+            answer: |q| {
+                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
+                let Interval { min, .. } = Self::right(q)?;
+                Some(Interval { min, ..whole })
+            },
+        },
+        Mistake {
+            name: "does not cut the answer off at the interval's min",
+            hint: "You are asked for a part of the interval: may your answer begin before min?",
+            answer: |q| {
+                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
+                let Interval { max, .. } = Self::right(q)?;
+                Some(Interval { max, ..whole })
+            },
+        },
+        Mistake {
+            name: "takes a face that is crossed alone in the interval for the exit, even where the interval ends inside",
+            hint: "The interval ends inside the box: which face does the ray cross before, the one of the entry or of the exit?",
+            answer: |q| {
+                let hits = of_different_axes(&faces_crossed(q));
+                between(q, &hits, |q, t| (f64::from(q.within.min), t))
+            },
+        },
+        Mistake {
+            name: "takes a face that is crossed alone in the interval for the exit, and an edge for the entry and the exit",
+            hint: "An edge is crossed: by how many faces at once, and does the ray enter there, leave, or both?",
+            answer: |q| {
+                let hits = faces_crossed(q);
+                between(q, &hits, |q, t| (f64::from(q.within.min), t))
+            },
+        },
+        Mistake {
+            name: "takes a face that is crossed alone in the interval for the entry, even where the interval begins inside",
+            hint: "The interval begins inside the box: which face does the ray cross after that, the one of the entry or of the exit?",
+            answer: |q| {
+                let hits = of_different_axes(&faces_crossed(q));
+                between(q, &hits, |q, t| (t, f64::from(q.within.max)))
+            },
+        },
+        Mistake {
+            name: "returns the first and the last face that is crossed in the interval, also where that is only one",
+            hint: "The interval begins or ends inside the box: how many faces does the ray cross in it, and where does your part begin and end?",
+            answer: |q| {
+                let hits = faces_crossed(q);
+                let first = hits.first()?.1;
+                let ends =
+                    |(min, max): (f64, f64), (_, t): &(usize, f64)| (min.min(*t), max.max(*t));
+                let (min, max) = hits.iter().fold((first, first), ends);
+                finish(min as f32, max as f32)
+            },
+        },
+        Mistake {
+            name: "begins at 0 where the ray's origin is inside the box, whatever the interval says",
+            hint: "The interval may begin elsewhere than at the ray's origin: where does it say so?",
+            answer: |q| {
+                let is_inside =
+                    |axis: usize| (q.min[axis]..=q.max[axis]).contains(&q.ray.origin[axis]);
+                let part = Self::right(q)?;
+                let min = if (0..3).all(is_inside) { 0.0 } else { part.min };
+                Some(Interval { min, ..part })
+            },
+        },
+        Mistake {
+            name: "does not swap the planes for a negative direction, and has a case of its own for a parallel ray",
+            hint: "A ray that goes left meets the right side first: which of your two distances is the entry then?",
+            answer: |q| {
+                let unswapped = |(axis, (near, far)): (usize, (f32, f32))| {
+                    if q.ray.direction[axis] < 0.0 {
+                        (far, near)
+                    } else {
+                        (near, far)
+                    }
+                };
+                overlap(q, crossed(q)?.into_iter().map(unswapped))
+            },
+        },
+        Mistake {
+            name: "takes 0 for within.min, wherever the interval begins",
+            hint: "An interval may begin ahead of the origin or behind it: which part of the ray is before `min`?",
+            answer: |q| Self::misread(q, |q| q.within.min = 0.0),
+        },
+        Mistake {
+            name: "takes 0 for within.min where the interval begins behind the origin",
+            hint: "An interval may begin behind the origin: is what lies there in it?",
+            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -327,6 +426,25 @@ fn beside_an_edge(rng: &mut Pcg, center: Vec3, half: Vec3) -> Ray {
     place[enters] = -out * direction[enters].signum();
     let aim = center + place * half;
     Ray::new(aim - sample::number(rng, 1.0, 6.0) * *direction, direction)
+}
+
+/// A ray that does not move along one axis or two. Along each of these it is between the box's planes, or up to 1 m outside of them.
+fn parallel_to_faces(rng: &mut Pcg, center: Vec3, half: Vec3) -> Ray {
+    let mut origin = center + sample::point(rng, 5.0);
+    let aim = center + sample::point(rng, 0.9) * half;
+    let mut toward = aim - origin;
+    let first = rng.random_range(0..3);
+    for axis in (first..first + rng.random_range(1..3)).map(|axis| axis % 3) {
+        origin[axis] = if rng.random_bool(0.4) {
+            let beyond = sample::number(rng, -1.0, 1.0);
+            center[axis] + half[axis].copysign(beyond) + beyond
+        } else {
+            aim[axis]
+        };
+        // Of either sign.
+        toward[axis] *= 0.0;
+    }
+    sample::ray(origin, toward)
 }
 
 /// Where the whole line enters and leaves the slab of an axis; by the right rule.
@@ -407,4 +525,62 @@ fn ordered_by(q: &BoxClip, signs: [usize; 3]) -> Option<Interval> {
         }
     };
     overlap(q, crossed(q)?.into_iter().map(ordered))
+}
+
+/// The faces that the ray crosses in the interval, each by its axis and its distance.
+fn faces_crossed(q: &BoxClip) -> Vec<(usize, f64)> {
+    let [from, to] = [q.within.min, q.within.max].map(f64::from);
+    let (o, d) = (q.ray.origin.as_dvec3(), q.ray.direction.as_dvec3());
+    let mut hits = Vec::new();
+    for axis in (0..3).filter(|&axis| d[axis] != 0.0) {
+        for plane in [q.min[axis], q.max[axis]] {
+            let t = (f64::from(plane) - o[axis]) / d[axis];
+            let is_beside = |other: usize| other != axis && !is_between(q, o + t * d, other);
+            if (from..=to).contains(&t) && !(0..3).any(is_beside) {
+                hits.push((axis, t));
+            }
+        }
+    }
+    hits
+}
+
+/// Whether a point is between the two planes across an axis, or in one of them.
+fn is_between(q: &BoxClip, p: DVec3, axis: usize) -> bool {
+    /// Further away from a plane than by rounding, in metres.
+    const ROUNDING: f64 = 1e-6;
+    let [low, high] = [q.min[axis], q.max[axis]].map(f64::from);
+    (low - ROUNDING..=high + ROUNDING).contains(&p[axis])
+}
+
+/// The same hits without those at the distance of another across another axis: an edge counts once.
+fn of_different_axes(hits: &[(usize, f64)]) -> Vec<(usize, f64)> {
+    let mut kept: Vec<(usize, f64)> = Vec::new();
+    for &(axis, t) in hits {
+        let is_edge = |(other, u): &(usize, f64)| *other != axis && (t - u).abs() < 1e-6;
+        if !kept.iter().any(is_edge) {
+            kept.push((axis, t));
+        }
+    }
+    kept
+}
+
+/// The part from the nearest hit to the farthest, and by `alone` where there is only one; without any, the whole interval if it begins inside.
+fn between(
+    q: &BoxClip,
+    hits: &[(usize, f64)],
+    alone: fn(&BoxClip, f64) -> (f64, f64),
+) -> Option<Interval> {
+    let (min, max) = match hits {
+        [] => {
+            let begin = q.ray.at(q.within.min).as_dvec3();
+            let is_inside = (0..3).all(|axis| is_between(q, begin, axis));
+            return is_inside.then_some(q.within);
+        }
+        [(_, t)] => alone(q, *t),
+        [(_, first), more @ ..] => {
+            let ends = |(min, max): (f64, f64), (_, t): &(usize, f64)| (min.min(*t), max.max(*t));
+            more.iter().fold((*first, *first), ends)
+        }
+    };
+    finish(min as f32, max as f32)
 }

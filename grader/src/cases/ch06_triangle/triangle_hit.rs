@@ -4,7 +4,7 @@ use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch06_triangle::{TriangleHit, TriangleHitAnswer};
 
 impl Graded for TriangleHit {
@@ -23,12 +23,20 @@ impl Graded for TriangleHit {
             let b2 = sample::number(rng, -0.3, 0.8);
             p0 + b1 * (p1 - p0) + b2 * (p2 - p0)
         };
-        let origin = aim - sample::number(rng, 1.0, 6.0) * *sample::direction(rng);
-        let max = sample::end(rng, 0.2, 1.0, 5.0);
-        let direction = Dir3::new_or(aim - origin, Dir3::X);
+        // One interval in two begins ahead of the ray's origin or behind it, and the triangle may be behind it, too.
+        let (distance, min) = if rng.random_bool(0.5) {
+            (
+                sample::number(rng, -5.0, 6.0),
+                sample::number(rng, -6.0, 2.0),
+            )
+        } else {
+            (sample::number(rng, 1.0, 6.0), 0.0)
+        };
+        let direction = sample::direction(rng);
+        let max = min + sample::end(rng, 0.2, 1.0, 5.0);
         TriangleHit {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
+            ray: Ray::new(aim - distance * *direction, direction),
+            within: Interval::new(min, max),
             p0,
             p1,
             p2,
@@ -299,6 +307,16 @@ impl Graded for TriangleHit {
             name: "accepts points up to a hundredth beyond the edges",
             hint: "How far below 0 may a weight be, and how far beyond the edge of a triangle of ten metres is that?",
             answer: |q| plane(q, |b1, b2| b1.min(b2).min(1.0 - b1 - b2) >= -1e-2),
+        },
+        Mistake {
+            name: "takes 0 for within.min, wherever the interval begins",
+            hint: "The interval says where hits begin to count: is that always at the ray's origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = 0.0),
+        },
+        Mistake {
+            name: "takes 0 for within.min where the interval begins behind the origin",
+            hint: "An interval may begin behind the origin: is what lies there in it?",
+            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
         },
     ];
 

@@ -1,7 +1,7 @@
 //! `triangle_normal`: random questions, judge and mistakes.
 
 use crate::{Graded, Mistake, Relation, Verdict, judge, sample};
-use glam::{Vec3, Vec3Swizzles};
+use glam::{Vec3, Vec3Swizzles, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
 
@@ -121,6 +121,39 @@ impl Graded for TriangleNormal {
                 let newell = |a: Vec3, b: Vec3| (a - b).yzx() * (a + b).zxy();
                 Dir3::new(newell(q.p0, q.p1) + newell(q.p1, q.p2)).map(|n| *n)
             },
+        },
+        Mistake {
+            name: "has the sign of the middle component of the cross product wrong",
+            hint: "The components of a cross product are those of yz, zx and xy: which two letters come first in your middle line?",
+            answer: |q| Self::right(q).map(|n| n * vec3(1.0, -1.0, 1.0)),
+        },
+        Mistake {
+            name: "has the sign of the first component of the cross product wrong",
+            hint: "The components of a cross product are those of yz, zx and xy: in which of your lines do the letters not go round in this order?",
+            answer: |q| Self::right(q).map(|n| n * vec3(-1.0, 1.0, 1.0)),
+        },
+        Mistake {
+            name: "has the sign of the last component of the cross product wrong",
+            hint: "The components of a cross product are those of yz, zx and xy: in which of your lines do the letters not go round in this order?",
+            answer: |q| Self::right(q).map(|n| n * vec3(1.0, 1.0, -1.0)),
+        },
+        Mistake {
+            name: "adds the two products in each component of the cross product",
+            hint: "What is the cross product of a vector with itself, and what is yours?",
+            answer: |q| {
+                let (a, b) = (q.p1 - q.p0, q.p2 - q.p0);
+                Dir3::new(a.yzx() * b.zxy() + a.zxy() * b.yzx()).map(|n| *n)
+            },
+        },
+        Mistake {
+            name: "multiplies the edges component by component, where a cross product belongs",
+            hint: "Is your product perpendicular to both edges?",
+            answer: |q| Dir3::new((q.p1 - q.p0) * (q.p2 - q.p0)).map(|n| *n),
+        },
+        Mistake {
+            name: "adds the edges instead of crossing them",
+            hint: "In which plane does the sum of two edges lie?",
+            answer: |q| Dir3::new((q.p1 - q.p0) + (q.p2 - q.p0)).map(|n| *n),
         },
     ];
 }

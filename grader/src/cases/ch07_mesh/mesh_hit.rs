@@ -4,7 +4,7 @@ use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch07_mesh::{Corners, MeshHit, MeshHitAnswer};
 
@@ -18,12 +18,20 @@ impl Graded for MeshHit {
                 Corners { p0, p1, p2 }
             })
             .collect::<Vec<_>>();
-        let max = sample::end(rng, 0.3, 1.0, 4.0);
         let origin = sample::point(rng, 3.0);
-        let direction = Dir3::new_or(sample::point(rng, 1.0) - origin, Dir3::X);
+        let ray = sample::ray(origin, sample::point(rng, 1.0) - origin);
+        // One interval in two begins ahead of the ray's origin or behind it, and all triangles may be behind it, too.
+        let (ray, min) = if rng.random_bool(0.5) {
+            let origin = ray.at(sample::number(rng, 0.0, 6.0));
+            let min = sample::number(rng, -5.0, 2.0);
+            (Ray::new(origin, ray.direction), min)
+        } else {
+            (ray, 0.0)
+        };
+        let max = min + sample::end(rng, 0.3, 1.0, 4.0);
         MeshHit {
-            ray: Ray::new(origin, direction),
-            within: Interval::new(0.0, max),
+            ray,
+            within: Interval::new(min, max),
             triangles,
         }
     }
@@ -310,6 +318,16 @@ impl Graded for MeshHit {
                 };
                 hits(q).reduce(nearer)
             },
+        },
+        Mistake {
+            name: "takes 0 for within.min, wherever the interval begins",
+            hint: "The interval says where hits begin to count: is that always at the ray's origin?",
+            answer: |q| Self::misread(q, |q| q.within.min = 0.0),
+        },
+        Mistake {
+            name: "takes 0 for within.min where the interval begins behind the origin",
+            hint: "An interval may begin behind the origin: is what lies there in it?",
+            answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
         },
     ];
 

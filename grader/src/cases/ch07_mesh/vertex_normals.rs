@@ -401,6 +401,70 @@ impl Graded for VertexNormals {
                 })
             },
         },
+        Mistake {
+            name: "takes the mean of what it has so far, at first zero, and each further triangle",
+            hint: "Of three triangles, which share has the first one in your mean, and which the last?",
+            answer: |q| running(q, |so_far, twice_area| 0.5 * (so_far + twice_area)),
+        },
+        Mistake {
+            name: "takes the mean of what it has so far, at first zero, and each further triangle's unit normal",
+            hint: "Of three triangles, which share has the first one in your mean, and which the last? And where does its area come in?",
+            answer: |q| {
+                running(q, |so_far, twice_area| {
+                    0.5 * (so_far + twice_area.normalize_or_zero())
+                })
+            },
+        },
+        Mistake {
+            name: "takes the mean of what it has so far and each further triangle's unit normal",
+            hint: "Of three triangles, which share has the first one in your mean, and which the last? And where does its area come in?",
+            answer: |q| {
+                running(q, |so_far, twice_area| {
+                    let normal = twice_area.normalize_or_zero();
+                    if so_far == Vec3::ZERO {
+                        normal
+                    } else {
+                        0.5 * (so_far + normal)
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "keeps the normal of the largest triangle only",
+            hint: "An average has a share of every triangle: what becomes of the smaller ones?",
+            answer: |q| {
+                running(q, |largest, twice_area| {
+                    if twice_area.length() > largest.length() {
+                        twice_area
+                    } else {
+                        largest
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "adds unit normals, and normalises the sum after each triangle",
+            hint: "The sum must remember how large the triangles before were: what is left of that once it has the length 1?",
+            answer: |q| {
+                running(q, |sum, twice_area| {
+                    (sum + twice_area.normalize_or_zero()).normalize_or_zero()
+                })
+            },
+        },
+        Mistake {
+            name: "divides by the number of triangles so far after each of them, the sum of before too",
+            hint: "Of three triangles, by how much is the first one divided in all, and by how much the last?",
+            answer: |q| {
+                let mut so_far = vec![(Vec3::ZERO, 0.0); q.positions.len()];
+                for (corners, twice_area) in faces(q, Vec3::cross) {
+                    for i in corners {
+                        let (sum, count) = so_far[i];
+                        so_far[i] = ((sum + twice_area) / (count + 1.0), count + 1.0);
+                    }
+                }
+                directions(so_far.into_iter().map(|(sum, _)| sum))
+            },
+        },
     ];
 }
 

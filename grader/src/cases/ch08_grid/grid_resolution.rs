@@ -64,12 +64,12 @@ impl Graded for GridResolution {
         Mistake {
             name: "rounds down",
             hint: "2.9 is nearer to 3 than to 2.",
-            answer: |q| rounded(share(q), f32::floor),
+            answer: |q| rounded(share(q), |cells| (cells * (1.0 + LAST_DIGITS)).floor()),
         },
         Mistake {
             name: "rounds up",
             hint: "2.1 is nearer to 2 than to 3.",
-            answer: |q| rounded(share(q), f32::ceil),
+            answer: |q| rounded(share(q), |cells| (cells * (1.0 - LAST_DIGITS)).ceil()),
         },
         Mistake {
             name: "keeps a thin axis in the volume",
@@ -305,6 +305,50 @@ impl Graded for GridResolution {
                 })
             },
         },
+        Mistake {
+            name: "divides the mean of the extents by the root of the number of cells",
+            hint: "A hall is long and low: is the mean of its extents the side of a cube of the same volume?",
+            answer: |q| {
+                by_side(q, |some, _, root| {
+                    some.iter().sum::<f64>() / some.len() as f64 / root
+                })
+            },
+        },
+        Mistake {
+            name: "divides the mean of the extents by the root of the number of cells, with the extents of the axes that are left out",
+            hint: "A hall is long and low: is the mean of its extents the side of a cube of the same volume?",
+            answer: |q| by_side(q, |_, all, root| all.iter().sum::<f64>() / 3.0 / root),
+        },
+        Mistake {
+            name: "cuts the longest side into ∛(λN) cells, or √(λN) where a thin axis is left out",
+            hint: "Multiply your numbers: how many cells is that in all?",
+            answer: |q| by_side(q, |some, _, root| some[0] / root),
+        },
+        Mistake {
+            name: "cuts the shortest side that is not left out into ∛(λN) cells",
+            hint: "Multiply your numbers: how many cells is that in all?",
+            answer: |q| by_side(q, |some, _, root| some[some.len() - 1] / root),
+        },
+        Mistake {
+            name: "takes the root of the number of cells only, and not of the volume",
+            hint: "Cells per volume has the unit 1/m³: what is the unit of your number of cells along an axis?",
+            answer: |q| by_side(q, |some, _, root| some.iter().product::<f64>() / root),
+        },
+        Mistake {
+            name: "takes the root of the volume only, and not of the number of cells",
+            hint: "Eight times the cells in the same cube: how many times as many are there along an axis?",
+            answer: |q| {
+                by_side(q, |some, _, root| {
+                    let count = some.len() as f64;
+                    some.iter().product::<f64>().powf(1.0 / count) / root.powf(count)
+                })
+            },
+        },
+        Mistake {
+            name: "cuts off what is behind the decimal point, and adds 1",
+            hint: "2.1 is nearer to 2 than to 3, and what does your rule make of 2.0?",
+            answer: |q| rounded(share(q), |n| n.floor() + 1.0),
+        },
     ];
 }
 
@@ -320,6 +364,9 @@ type Round = fn(f32) -> f32;
 fn whole(along: Vec3) -> Cell {
     by_rounding(along, |_| {})
 }
+
+/// By less than this share, numbers of cells differ in their last digits only, which decide nothing.
+const LAST_DIGITS: f32 = 1e-5;
 
 /// The same with another rounding.
 fn rounded(along: Vec3, round: Round) -> Cell {
@@ -396,4 +443,28 @@ fn content(q: &GridResolution) -> (f32, Vec3) {
 fn product(q: &GridResolution, thick: Vec3) -> f32 {
     let some = (0..3).filter(|&i| thick[i] > 0.0);
     some.map(|i| q.extents[i]).product()
+}
+
+/// The cells by another side of a cell: of the extents of the axes that are cut, the longest first, of all three, and of the root of the number
+/// of cells. The thinnest axis is left out as long as it gets less than one cell.
+fn by_side(q: &GridResolution, side: fn(&[f64], &[f64], f64) -> f64) -> Cell {
+    let mut axes = [0, 1, 2];
+    axes.sort_by(|a, b| q.extents[*b].total_cmp(&q.extents[*a]));
+    let all = axes.map(|axis| f64::from(q.extents[axis]));
+    let cells = f64::from(q.density) * f64::from(q.shapes);
+    for count in (1..=3).rev() {
+        let some = &all[..count];
+        if some.iter().product::<f64>() == 0.0 || cells == 0.0 {
+            continue;
+        }
+        let side = side(some, &all, cells.powf(1.0 / count as f64));
+        if some[count - 1] >= side {
+            let mut along = Vec3::ONE;
+            for &axis in &axes[..count] {
+                along[axis] = (f64::from(q.extents[axis]) / side).round() as f32;
+            }
+            return whole(along);
+        }
+    }
+    whole(Vec3::ONE)
 }

@@ -10,8 +10,9 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch09_two_level_grid::{Entry, RefineCell, RefineCellAnswer};
 use refinements::{
-    Last, at, cut, cut_by, cut_for, middle, reached, reaches, resolution, with_cells, with_numbers,
-    with_shapes, without_last, without_shapes, without_those_outside,
+    Last, at, by_overlap, cut, cut_by, cut_for, middle, reached, reaches, reaches_along,
+    resolution, with_cells, with_numbers, with_places, with_shapes, within, without_last,
+    without_shapes, without_those_outside,
 };
 use std::collections::HashSet;
 
@@ -404,6 +405,65 @@ impl Graded for RefineCell {
                     along.all(|(ends, at)| ends.contains(&at))
                 });
                 answer
+            },
+        },
+        Mistake {
+            name: "divides the coarse cell's extents by one less than the number of fine cells, as between fence posts",
+            hint: "Four fine cells side by side: how many planes are there, and how long is each of the cells?",
+            answer: |q| by_overlap(q, |n| (n - 1.0).max(Vec3::ONE), within),
+        },
+        Mistake {
+            name: "divides the coarse cell's extents by one more than the number of fine cells",
+            hint: "Four fine cells side by side: how many planes are there, and how long is each of the cells?",
+            answer: |q| by_overlap(q, |n| n + 1.0, within),
+        },
+        Mistake {
+            name: "multiplies the place in the coarse cell, from 0 to 1, by one less than the number of fine cells, and rounds",
+            hint: "The place is 0.2, and there are four fine cells: in which of them is it, and what does your formula say?",
+            answer: |q| {
+                with_places(q, |place, last| {
+                    let number = |x: f32| x.round_ties_even();
+                    (place * last).map(number).clamp(Vec3::ZERO, last)
+                })
+            },
+        },
+        Mistake {
+            name: "names shapes in cells that they reach along one axis, where they must along all three",
+            hint: "A shape beside a cell and as high as it: does it reach the cell?",
+            answer: |q| by_overlap(q, |n| n, |cell, shape| reaches_along(cell, shape).any()),
+        },
+        Mistake {
+            name: "asks only whether an end of the shape lies in the cell, along each axis",
+            hint: "A shape begins before a cell and ends behind it: does it reach the cell?",
+            answer: |q| {
+                by_overlap(
+                    q,
+                    |n| n,
+                    |cell, shape| {
+                        let holds = |p: Vec3| p.cmpge(cell.min) & p.cmple(cell.max);
+                        (holds(shape.min) | holds(shape.max)).all()
+                    },
+                )
+            },
+        },
+        Mistake {
+            name: "takes the longest side of a fine cell for its extents along all three axes",
+            hint: "Along each axis the fine cells fill the coarse cell: how long are they along x, along y and along z?",
+            answer: |q| {
+                let longest = |n: Vec3| {
+                    let size = q.max - q.min;
+                    size / (size / n).max_element()
+                };
+                by_overlap(q, longest, within)
+            },
+        },
+        Mistake {
+            name: "multiplies the place in the coarse cell, from 0 to 1, by one more than the number of fine cells",
+            hint: "The place is 0.9, and there are four fine cells: in which of them is it, and what does your formula say?",
+            answer: |q| {
+                with_places(q, |place, last| {
+                    (place * (last + 2.0)).floor().clamp(Vec3::ZERO, last)
+                })
             },
         },
     ];

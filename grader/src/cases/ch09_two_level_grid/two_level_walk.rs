@@ -8,7 +8,7 @@ use crate::{
 use glam::{UVec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::walk;
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
 use std::ops::ControlFlow;
 
@@ -413,6 +413,41 @@ impl Graded for TwoLevelWalk {
                 before_is(q, |cuts| (cuts.len() as u32 - 1) * most)
             },
         },
+        Mistake {
+            name: "goes along the ray in steps of half the smallest side of a cell, from the middle of the first step, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |least| 0.5 * least, 0.5),
+        },
+        Mistake {
+            name: "goes along the ray in steps of half the smallest side of a cell, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |least| 0.5 * least, 0.0),
+        },
+        Mistake {
+            name: "goes along the ray in steps of the smallest side of a cell, from the middle of the first step, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |least| least, 0.5),
+        },
+        Mistake {
+            name: "goes along the ray in steps of the smallest side of a cell, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |least| least, 0.0),
+        },
+        Mistake {
+            name: "goes along the ray in steps of a quarter of the smallest side of a cell, from the middle of the first step, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |least| 0.25 * least, 0.5),
+        },
+        Mistake {
+            name: "goes along the ray in steps of half a metre, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |_| 0.5, 0.0),
+        },
+        Mistake {
+            name: "goes along the ray in steps of a tenth of a metre, and misses cells in which the ray stays shorter",
+            hint: "Between two of your steps the ray crosses a plane between cells: at which distance, and might it cross a second one? Can you calculate these distances, instead of trying?",
+            answer: |q| marched(q, |_| 0.1, 0.0),
+        },
     ];
 }
 
@@ -501,4 +536,38 @@ fn looked_up(
 /// The place of a cell if those along x come first, then those along y.
 fn along_x([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
     x + nx * (y + ny * z)
+}
+
+/// The walk in steps of one length along the ray, from where it enters the grid or the interval begins: a step's length is made of the smallest
+/// side of a fine cell, and `begin` is the share of a step after which the first place is asked for its cell. A cell is visited once.
+/// Rounding does not take the first place out of the grid.
+fn marched(q: &TwoLevelWalk, length: fn(f64) -> f64, begin: f64) -> Vec<u32> {
+    /// More steps are not taken: a misread question may have cells of no extent.
+    const MOST: usize = 10_000;
+    let bounds = q.levels().top.bounds();
+    let (cells, inside) = (cells(q), slab::clip(&bounds, &q.ray, q.within));
+    let Some(inside) = inside.filter(|_| !cells.is_empty()) else {
+        return Vec::new();
+    };
+    let sides = cells.iter().map(|cell| cell.size().min_element());
+    let step = length(f64::from(sides.fold(f32::INFINITY, f32::min)));
+    let [from, to] = [inside.min, inside.max].map(f64::from);
+    let (o, d) = (q.ray.origin.as_dvec3(), q.ray.direction.as_dvec3());
+    let mut places = Vec::new();
+    let mut t = from + begin * step;
+    for _ in 0..MOST {
+        if t >= to {
+            break;
+        }
+        let p = (o + t * d).clamp(bounds.min.as_dvec3(), bounds.max.as_dvec3());
+        for (place, cell) in (0..).zip(&cells) {
+            let is_inside =
+                cell.min.as_dvec3().cmple(p).all() && p.cmple(cell.max.as_dvec3()).all();
+            if is_inside && !places.contains(&place) {
+                places.push(place);
+            }
+        }
+        t += step;
+    }
+    places
 }

@@ -186,6 +186,8 @@ impl Graded for OctreeBuild {
 
     const EFFORT: usize = 10;
 
+    const ALLOWS: &'static str = "The tree may cost 2 % more than the reference's. Shapes may stand in any order within a leaf.";
+
     const FLAWS: &'static [Flaw] = &[
         Flaw {
             complaint: "there is no node",
@@ -557,6 +559,90 @@ impl Graded for OctreeBuild {
                     }
                 })
             },
+        },
+        Mistake {
+            name: "does not cut a cell if one child would get all of its shapes",
+            hint: "All shapes are in one child: does a ray that misses this child test any of them after the cut?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        let is_all = parts.iter().any(|part| part.len() as f32 == n);
+                        q.opening + 0.25 * sum(parts) < n && !is_all
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "does not cut a cell if one of its shapes would be in several children",
+            hint: "One of nine shapes reaches two children: does the sum in the rule know of it, and can the cut pay all the same?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| q.opening + 0.25 * sum(parts) < n && sum(parts) <= n;
+                })
+            },
+        },
+        Mistake {
+            name: "makes a leaf of any cell with at most two shapes",
+            hint: "Two shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| n > 2.0 && q.opening + 0.25 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "makes a leaf of any cell with at most four shapes",
+            hint: "Four shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| n > 4.0 && q.opening + 0.25 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "makes a leaf of any cell with at most eight shapes",
+            hint: "Eight shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| n > 8.0 && q.opening + 0.25 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "expects a ray to meet each child with probability 1/2, not 1/4",
+            hint: "A ray passes through a cell: how many of its eight children does the ray meet on average?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| q.opening + 0.5 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "adds the cost of opening in each of the eight children, with the probability of 1/4",
+            hint: "How many nodes does a ray open when it enters a cut cell, before it comes to the children?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| 2.0 * q.opening + 0.25 * sum(parts) < n;
+                })
+            },
+        },
+        Mistake {
+            name: "rounds a quarter of each child's number of shapes down, as a division of integers does",
+            hint: "What is 3/4 in your language, if both are integers?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        let quarters = parts.iter().map(|part| part.len() / 4);
+                        let sum = quarters.sum::<usize>() as f32;
+                        q.opening + sum < n
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "divides the limit on copies by a rounded quotient of two numbers of names, as a division of integers gives",
+            hint: "What is 3/2 in your language, if both are integers?",
+            answer: |q| with_limit(q, |copies, made| copies / made.floor().max(1.0)),
         },
     ];
 }

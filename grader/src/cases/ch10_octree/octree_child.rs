@@ -209,6 +209,67 @@ impl Graded for OctreeChild {
             hint: "A cell reaches from y = 0 to y = 4: at which y is its middle, if the cell is 2 long along x?",
             answer: |q| in_cube(q, (q.max - q.min).min_element()),
         },
+        Mistake {
+            name: "leaves out the brackets around the shifts: + binds more tightly than <<",
+            hint: "How does your language read x + y << 1: is the sum shifted, or only y?",
+            answer: |q| {
+                let [x, y, z] = digits(q);
+                (x + y) << (1 + z) << 2
+            },
+        },
+        Mistake {
+            name: "leaves out the brackets around the shifts, z first: + binds more tightly than <<",
+            hint: "How does your language read z << 2 + y: by how much is z shifted?",
+            answer: |q| {
+                let [x, y, z] = digits(q);
+                z << (2 + y) << (1 + x)
+            },
+        },
+        Mistake {
+            name: "leaves out the brackets around the shifts, one of 0 among them: + binds more tightly than <<",
+            hint: "How does your language read x << 0 + y: by how much is x shifted?",
+            answer: |q| {
+                let [x, y, z] = digits(q);
+                x << y << (1 + z) << 2
+            },
+        },
+        Mistake {
+            name: "leaves out the brackets around the conditional expressions: x counts only in the upper half along y, and z only in the lower half along y",
+            hint: "How far does your `else`, or `:`, reach: to the end of the bracket, or to the next +?",
+            answer: |q| {
+                let [x, y, z] = digits(q);
+                if y == 1 { x + 2 } else { 4 * z }
+            },
+        },
+        Mistake {
+            name: "takes ^ for the power of a number",
+            hint: "What is 2 ^ 2 in your language: 4, or 0?",
+            answer: |q| {
+                let [x, y, _] = digits(q);
+                2 * x + 3 * y
+            },
+        },
+        Mistake {
+            name: "counts the axes from 1: x is worth 2, y 4 and z 8",
+            hint: "The greatest number of a child is 7: what is the sum of your three weights?",
+            answer: |q| 2 * Self::right(q),
+        },
+        Mistake {
+            name: "reads the three digits as a decimal number",
+            hint: "What is 110 in the binary system, and what in the decimal system?",
+            answer: |q| {
+                let [x, y, z] = digits(q);
+                x + 10 * y + 100 * z
+            },
+        },
+        Mistake {
+            name: "rounds twice the fraction of the cell down, and counts a point on the greatest face as a third half",
+            hint: "A point on the greatest face: how much is twice its fraction of the cell, and how many halves are there?",
+            answer: |q| {
+                // On the greatest face twice the fraction is 2: once more than in the upper half.
+                Self::right(q) + bits(q.p.cmpeq(q.max))
+            },
+        },
     ];
 }
 
@@ -225,4 +286,10 @@ fn in_cube(q: &OctreeChild, side: f32) -> u32 {
 fn middle_is_below(q: &OctreeChild, bit: u32) -> u32 {
     let above = bits(q.p.cmpgt(0.5 * (q.min + q.max)));
     OctreeChild::right(q) & (above | !bit)
+}
+
+/// The binary digits of the right child's number, those of x, y and z.
+fn digits(q: &OctreeChild) -> [u32; 3] {
+    let n = OctreeChild::right(q);
+    [n & 1, n >> 1 & 1, n >> 2]
 }

@@ -10,12 +10,12 @@ use crate::{
 };
 use glam::Vec3;
 use rand::RngExt;
-use raybook::inside::octree::Kind;
+use raybook::inside::octree::{Kind, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 use walks::{
-    below, fill_empty_leaves, in_turn, levels, mirror, nearest_only, numbered, octant, ordered,
-    walked,
+    below, chosen, descend, ends_only, fill_empty_leaves, in_turn, levels, met, mirror, missed,
+    nearest_only, numbered, octant, ordered, walked,
 };
 
 /// The leaves' cells by the nodes' numbers, and which nodes are leaves that are not empty; empty boxes for inner nodes.
@@ -432,6 +432,42 @@ impl Graded for OctreeWalk {
                 inside.map_or(Vec::new(), |inside| {
                     in_turn(q, octant(q, q.ray.at(inside.min)))
                 })
+            },
+        },
+        Mistake {
+            name: "visits only the child in which the ray enters a node and the child in which it leaves the node",
+            hint: "A ray goes slantwise through a cell that is cut in eight: through how many children can it pass, and which are those in between?",
+            answer: ends_only,
+        },
+        Mistake {
+            name: "visits at most two children of a node",
+            hint: "How many middle planes has a cell, and how many children does a ray pass through that crosses all of them?",
+            answer: |q| chosen(q, |children| met(children).take(2).collect()),
+        },
+        Mistake {
+            name: "visits at most three children of a node",
+            hint: "How many middle planes has a cell, and how many children does a ray pass through that crosses all of them?",
+            answer: |q| chosen(q, |children| met(children).take(3).collect()),
+        },
+        Mistake {
+            name: "visits no more children of a node after the first that the ray misses",
+            hint: "A ray misses one child: can it meet a later one? What leaves your loop, and what only goes on to the next child?",
+            answer: |q| chosen(q, |children| met(&children[..missed(children)]).collect()),
+        },
+        Mistake {
+            name: "takes the cells of the root's children for those of the children of any node",
+            hint: "A child of the root is cut, too: where is the middle of its own cell?",
+            answer: |q| {
+                let root = Aabb::new(q.min, q.max);
+                let mut found = Vec::new();
+                descend(
+                    q,
+                    (0, root),
+                    &|_, i| child_cell(&root, i),
+                    &|children| met(children).collect(),
+                    &mut found,
+                );
+                found
             },
         },
     ];

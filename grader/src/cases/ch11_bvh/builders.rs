@@ -1,6 +1,7 @@
 //! Trees of boxes by other rules than the surface-area heuristic: what mistaken builders make.
 
 use super::{area, around, center, whole_less_left};
+use crate::Graded;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
@@ -55,7 +56,8 @@ pub(super) struct Cut {
 pub(super) type Cutting = fn(&BvhBuild, &[u32], usize) -> Cut;
 
 /// The cheapest cut of all.
-pub(super) const ALL_CUTS: Cutting = |q, which, _| cheapest(q, which, 0..3, by_areas);
+pub(super) const ALL_CUTS: Cutting =
+    |q, which, _| swept(q, rows(q, which), |left, right| left + right);
 
 /// The cut whose sides have the least areas, however many boxes are in them.
 pub(super) const WITHOUT_NUMBERS: Cutting = |q, which, _| cheapest(q, which, 0..3, area_around);
@@ -101,6 +103,45 @@ pub(super) const AT_THE_MIDDLE: Cutting = |q, which, _| halved(q, which, &around
 pub(super) const AT_THE_CENTERS_MIDDLE: Cutting = |q, which, _| {
     let centers = which.iter().map(|&i| center(&q.boxes[i as usize]));
     halved(q, which, &Aabb::of(centers))
+};
+
+/// The cut at the widest gap between two neighbouring centres, along all axes.
+pub(super) const AT_THE_WIDEST_GAP: Cutting = |q, which, _| widest(q, which, 0..3, gaps);
+
+/// The cut at the widest gap between two neighbouring centres, along the axis along which the node's box is longest.
+pub(super) const AT_THE_WIDEST_GAP_ALONG_THE_LONGEST: Cutting = |q, which, _| {
+    let axis = longest(&around(&q.boxes, which));
+    widest(q, which, [axis], gaps)
+};
+
+/// The cut at the widest space between the boxes of one side and those of the other.
+pub(super) const AT_THE_WIDEST_SPACE: Cutting = |q, which, _| widest(q, which, 0..3, spaces);
+
+/// The cheapest cut, if a cut cost as much as its dearer side.
+pub(super) const BY_THE_DEARER_SIDE: Cutting = |q, which, _| swept(q, rows(q, which), f32::max);
+
+/// The cheapest cut of the row as it is stored.
+pub(super) const UNSORTED: Cutting =
+    |q, which, _| swept(q, [which.to_vec()], |left, right| left + right);
+
+/// The dearest cut of all.
+pub(super) const DEAREST: Cutting = |q, which, _| {
+    let cut = swept(q, rows(q, which), |left, right| -(left + right));
+    Cut {
+        cost: -cut.cost,
+        ..cut
+    }
+};
+
+/// The number of boxes and the cost of the cheapest cut, with the boxes in their order along z.
+pub(super) const IN_THE_LAST_ROW: Cutting = |q, which, depth| {
+    let Cut { sides, cost } = ALL_CUTS(q, which, depth);
+    let row = sorted(q, which, 2);
+    let (left, right) = row.split_at(sides[0].len());
+    Cut {
+        sides: [left.to_vec(), right.to_vec()],
+        cost,
+    }
 };
 
 /// When boxes that could be a leaf, or be cut like this, become a leaf.
@@ -170,6 +211,15 @@ pub(super) fn built(q: &BvhBuild, cutting: Cutting, leaf: Leaf) -> BvhBuildAnswe
             open.push((tree.nodes.len(), side.clone(), depth + 1));
             tree.nodes.push(node(&side));
         }
+    }
+    tree
+}
+
+/// The right tree, but for where its leaves begin.
+pub(super) fn with_first(q: &BvhBuild, first: fn(first: u32, count: u32) -> u32) -> BvhBuildAnswer {
+    let mut tree = BvhBuild::right(q);
+    for leaf in tree.nodes.iter_mut().filter(|node| node.count > 0) {
+        leaf.first = first(leaf.first, leaf.count);
     }
     tree
 }
@@ -256,6 +306,97 @@ fn cheapest_by(
         }
     }
     best.unwrap_or_else(|| middle(q, which, 0))
+}
+
+/// The rows of the boxes by their centres along each axis.
+fn rows(q: &BvhBuild, which: &[u32]) -> [Vec<u32>; 3] {
+    std::array::from_fn(|axis| sorted(q, which, axis))
+}
+
+/// The cut of these rows with the least price, made of what its sides cost by the surface-area heuristic. It is found in one sweep
+/// of each row: some rules make as many branches as there are boxes, and look at all boxes below in each.
+fn swept(
+    q: &BvhBuild,
+    rows: impl IntoIterator<Item = Vec<u32>>,
+    price: fn(f32, f32) -> f32,
+) -> Cut {
+    let mut best: Option<(f32, usize, Vec<u32>)> = None;
+    for row in rows {
+        let left = growing(q, row.iter());
+        let mut right = growing(q, row.iter().rev());
+        right.reverse();
+        let mut cheaper = None;
+        for at in 1..row.len() {
+            let cost = price(left[at - 1], right[at]);
+            let least = cheaper.map(|(cost, _)| cost);
+            let least = least.or(best.as_ref().map(|best| best.0));
+            if least.is_none_or(|least| cost < least) {
+                cheaper = Some((cost, at));
+            }
+        }
+        if let Some((cost, at)) = cheaper {
+            best = Some((cost, at, row));
+        }
+    }
+    let (cost, at, row) = best.expect("a row of at least two boxes has a cut");
+    let (left, right) = row.split_at(at);
+    Cut {
+        sides: [left.to_vec(), right.to_vec()],
+        cost,
+    }
+}
+
+/// What the first box of a row costs, the first two together, and so on.
+fn growing<'a>(q: &BvhBuild, row: impl Iterator<Item = &'a u32>) -> Vec<f32> {
+    let mut around = Aabb::EMPTY;
+    let grown = row.zip(1..).map(|(&i, count)| {
+        around = around.union(&Aabb::from(&q.boxes[i as usize]));
+        area(around.min, around.max) * count as f32
+    });
+    grown.collect()
+}
+
+/// The cut at the widest gap of the rows along these axes, where the gaps of a row are measured like this.
+fn widest(
+    q: &BvhBuild,
+    which: &[u32],
+    axes: impl IntoIterator<Item = usize>,
+    gaps: fn(&BvhBuild, &[u32], usize) -> Vec<f32>,
+) -> Cut {
+    let mut best: Option<(f32, usize, usize)> = None;
+    for axis in axes {
+        let gaps = gaps(q, &sorted(q, which, axis), axis);
+        for (at, gap) in (1..).zip(gaps) {
+            if best.is_none_or(|(widest, ..)| gap > widest) {
+                best = Some((gap, at, axis));
+            }
+        }
+    }
+    let (_, at, axis) = best.expect("a row of at least two boxes has a gap");
+    sides(q, sorted(q, which, axis).split_at(at))
+}
+
+/// The gaps between neighbouring centres of a row along an axis.
+fn gaps(q: &BvhBuild, row: &[u32], axis: usize) -> Vec<f32> {
+    let place = |i: u32| center(&q.boxes[i as usize])[axis];
+    let gaps = row.windows(2).map(|two| place(two[1]) - place(two[0]));
+    gaps.collect()
+}
+
+/// The spaces between the boxes before each place of a row along an axis, and those behind it; below 0 where these overlap.
+fn spaces(q: &BvhBuild, row: &[u32], axis: usize) -> Vec<f32> {
+    let ends = row.iter().scan(f32::NEG_INFINITY, |end, &i| {
+        *end = end.max(q.boxes[i as usize].max[axis]);
+        Some(*end)
+    });
+    let begins = row.iter().rev().scan(f32::INFINITY, |begin, &i| {
+        *begin = begin.min(q.boxes[i as usize].min[axis]);
+        Some(*begin)
+    });
+    let mut begins: Vec<_> = begins.collect();
+    begins.reverse();
+    let behind = begins.into_iter().skip(1);
+    behind.zip(ends).map(|(begin, end)| begin - end).collect()
 }
 
 /// A cut in the middle of the row, along an axis.

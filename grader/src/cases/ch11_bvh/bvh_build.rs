@@ -2,10 +2,12 @@
 
 use super::builders::{
     ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
-    BY_EXTENTS, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT, CHEAPER_THAN_TWO,
-    FITS, IN_TURN, SINGLE, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, depth_first, one_leaf,
+    AT_THE_WIDEST_GAP, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, AT_THE_WIDEST_SPACE, BY_EXTENTS,
+    BY_THE_DEARER_SIDE, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT,
+    CHEAPER_THAN_TWO, DEAREST, FITS, IN_THE_LAST_ROW, IN_TURN, SINGLE, UNSORTED, WHOLE_LESS_LEFT,
+    WITHOUT_NUMBERS, built, chain, depth_first, one_leaf, with_first,
 };
-use super::bvh_tree::{apart, tree_cost, wrong_choice};
+use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
 use super::{center, crowd, cube, heaps, no_dearer, tree};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
@@ -25,6 +27,19 @@ const SECOND_CHILD: &str =
 
 /// The same, if a branch has the number of its other child.
 const FIRST_CHILD: &str = "numbers the nodes depth first, so that a branch's second child comes after all below its first";
+
+/// What a function does whose leaves begin at the number of a box, whatever tree they make.
+const NUMBER_OF_A_BOX: &str =
+    "writes the number of a leaf's first box where its place in the order belongs";
+
+/// The same, if leaves begin where they end.
+const END_OF_A_LEAF: &str = "takes the end of a leaf's part of the order for its beginning";
+
+/// The same, if leaves begin one place too late.
+const FROM_1: &str = "counts the places of the order from 1";
+
+/// The same, if the order is the other way round.
+const PLACES: &str = "writes the place of each box into the order, not the box at each place";
 
 /// How much more than the reference's the tree of this number of boxes may cost: neither is the best, and the fewer boxes there
 /// are, the more does it matter which cut is taken first. Cuts at one of eight places, or along the longest axis only, cost up to
@@ -61,7 +76,10 @@ impl Graded for BvhBuild {
     }
 
     fn judge(q: &BvhBuild, golden: &BvhBuildAnswer, got: &BvhBuildAnswer) -> Verdict {
-        let cost = tree_cost(q, got).map_err(|why| apart(&got.nodes).unwrap_or(why))?;
+        let cost = tree_cost(q, got).map_err(|why| {
+            let known = apart(&got.nodes).or_else(|| misplaced(q, got));
+            known.unwrap_or(why)
+        })?;
         let least = tree_cost(q, golden)?;
         let is_dearer = no_dearer("the tree", cost, least, dearer(q.boxes.len()));
         is_dearer.or_else(|why| {
@@ -147,6 +165,8 @@ impl Graded for BvhBuild {
 
     const EFFORT: usize = 10;
 
+    const ALLOWS: &'static str = "The tree may cost 25 % more than the reference's: 15 % more from 100 boxes on, and 8 % from 1000 on. Boxes may stand in any order within a leaf.";
+
     const FLAWS: &'static [Flaw] = &[
         Flaw {
             complaint: "the order has",
@@ -167,6 +187,26 @@ impl Graded for BvhBuild {
             complaint: "the number of its first child",
             name: FIRST_CHILD,
             hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
+        },
+        Flaw {
+            complaint: "the number of its first box",
+            name: NUMBER_OF_A_BOX,
+            hint: "A leaf's boxes stand side by side in the order: does `first` say where there, or which box of the question it is?",
+        },
+        Flaw {
+            complaint: "behind its last box",
+            name: END_OF_A_LEAF,
+            hint: "How long is the order before a leaf's boxes are appended, and how long after that? Which of the two is `first`?",
+        },
+        Flaw {
+            complaint: "one place too late",
+            name: FROM_1,
+            hint: "What is the number of the first place in a list?",
+        },
+        Flaw {
+            complaint: "the order tells the place of each box",
+            name: PLACES,
+            hint: "A leaf begins at place 3 of the order: what must stand there, the number of a box, or the place of box 3?",
         },
         Flaw {
             complaint: "which is not there",
@@ -282,7 +322,7 @@ impl Graded for BvhBuild {
             },
         },
         Mistake {
-            name: "writes the number of a leaf's first box where its place in the order belongs",
+            name: NUMBER_OF_A_BOX,
             hint: "A leaf's boxes stand side by side in the order: does `first` say where there, or which box of the question it is?",
             answer: |q| {
                 let BvhBuildAnswer { mut nodes, order } = BvhBuild::right(q);
@@ -425,6 +465,97 @@ impl Graded for BvhBuild {
             name: FIRST_CHILD,
             hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
             answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 0),
+        },
+        Mistake {
+            name: END_OF_A_LEAF,
+            hint: "How long is the order before a leaf's boxes are appended, and how long after that? Which of the two is `first`?",
+            answer: |q| with_first(q, |first, count| first + count),
+        },
+        Mistake {
+            name: FROM_1,
+            hint: "What is the number of the first place in a list?",
+            answer: |q| with_first(q, |first, _| first + 1),
+        },
+        Mistake {
+            name: PLACES,
+            hint: "A leaf begins at place 3 of the order: what must stand there, the number of a box, or the place of box 3?",
+            answer: |q| {
+                let tree = BvhBuild::right(q);
+                BvhBuildAnswer {
+                    order: places(&tree.order),
+                    ..tree
+                }
+            },
+        },
+        Mistake {
+            name: "cuts where the gap between two neighbouring centres is widest",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_GAP, CHEAPER),
+        },
+        Mistake {
+            name: "cuts where the gap between two neighbouring centres is widest, and makes a leaf of all that it can hold",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_GAP, FITS),
+        },
+        Mistake {
+            name: "cuts where the gap between two neighbouring centres is widest, along the longest axis of a node's box only",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, CHEAPER),
+        },
+        Mistake {
+            name: "cuts where the gap between two neighbouring centres is widest, along the longest axis of a node's box only, and makes a leaf of all that it can hold",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, FITS),
+        },
+        Mistake {
+            name: "cuts where the empty space between two sides is widest",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_SPACE, CHEAPER),
+        },
+        Mistake {
+            name: "cuts where the empty space between two sides is widest, and makes a leaf of all that it can hold",
+            hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
+            answer: |q| built(q, AT_THE_WIDEST_SPACE, FITS),
+        },
+        Mistake {
+            name: "takes the cost of the dearer side for that of the cut",
+            hint: "A ray may enter both sides of a cut: which of their costs does it pay on average?",
+            answer: |q| built(q, BY_THE_DEARER_SIDE, CHEAPER),
+        },
+        Mistake {
+            name: "takes the cost of the dearer side for that of the cut, and makes a leaf of all that it can hold",
+            hint: "A ray may enter both sides of a cut: which of their costs does it pay on average?",
+            answer: |q| built(q, BY_THE_DEARER_SIDE, FITS),
+        },
+        Mistake {
+            name: "cuts the boxes in the order in which they are stored, without sorting them",
+            hint: "Two heaps of boxes are stored in turn: which cuts of the row part the heaps, as long as nobody sorts it?",
+            answer: |q| built(q, UNSORTED, CHEAPER),
+        },
+        Mistake {
+            name: "cuts the boxes in the order in which they are stored, without sorting them, and makes a leaf of all that it can hold",
+            hint: "Two heaps of boxes are stored in turn: which cuts of the row part the heaps, as long as nobody sorts it?",
+            answer: |q| built(q, UNSORTED, FITS),
+        },
+        Mistake {
+            name: "takes the dearest cut",
+            hint: "Print the costs of all cuts of the root, and that of the cut that you take: which of them is it?",
+            answer: |q| built(q, DEAREST, CHEAPER),
+        },
+        Mistake {
+            name: "takes the dearest cut, and makes a leaf of all that it can hold",
+            hint: "Print the costs of all cuts of the root, and that of the cut that you take: which of them is it?",
+            answer: |q| built(q, DEAREST, FITS),
+        },
+        Mistake {
+            name: "cuts at the best cut's place, but in the row that is sorted along z",
+            hint: "After you have tried all three axes: along which of them is your row sorted, and along which was the best cut?",
+            answer: |q| built(q, IN_THE_LAST_ROW, CHEAPER),
+        },
+        Mistake {
+            name: "cuts at the best cut's place, but in the row that is sorted along z, and makes a leaf of all that it can hold",
+            hint: "After you have tried all three axes: along which of them is your row sorted, and along which was the best cut?",
+            answer: |q| built(q, IN_THE_LAST_ROW, FITS),
         },
     ];
 }

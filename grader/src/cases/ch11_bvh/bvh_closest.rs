@@ -1,5 +1,7 @@
 //! `bvh_closest`: random questions, judge and mistakes.
 
+mod walk;
+
 use super::tree;
 use crate::{
     Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::Found,
@@ -7,11 +9,14 @@ use crate::{
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
+use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
+use std::ops::Range;
 use std::sync::LazyLock;
+use walk::{Until, walk};
 
 impl Graded for BvhClosest {
     fn random(rng: &mut Pcg) -> BvhClosest {
@@ -297,6 +302,57 @@ impl Graded for BvhClosest {
             hint: "A large box may begin near and end far away: can the nearest hit be at its beginning? By which distance do you choose, and stop?",
             answer: |q| search(q, |how| how.by = By::Stay),
         },
+        Mistake {
+            name: "tests the triangles of a leaf only between where the ray enters the leaf's box and where the ray leaves it, ends excluded",
+            hint: "A flat box is entered and left at the same distance: which distances lie between, and where is the hit?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |_, inside| inside);
+                })
+            },
+        },
+        Mistake {
+            name: "tests the triangles of a leaf only behind where the ray enters the leaf's box",
+            hint: "A triangle lies in the face by which the ray enters the box: is its distance greater than that of the box?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |within, inside| {
+                        Interval::new(inside.min, within.max)
+                    });
+                })
+            },
+        },
+        Mistake {
+            name: "tests the triangles of a leaf only before where the ray leaves the leaf's box",
+            hint: "A triangle lies in the face by which the ray leaves the box: is its distance less than that of the face?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |within, inside| {
+                        Interval::new(within.min, inside.max)
+                    });
+                })
+            },
+        },
+        Mistake {
+            name: "ends the loop over a leaf's triangles at its count, and begins it at its `first`",
+            hint: "A leaf of two triangles begins at triangle 6: what are the numbers of its triangles, and at which of them does your loop end?",
+            answer: |q| in_leaves(q, |first, count| first..count),
+        },
+        Mistake {
+            name: "tests the triangles from 0 on in each leaf, as many as the leaf has",
+            hint: "A leaf of two triangles begins at triangle 6: which triangles does your loop test?",
+            answer: |q| in_leaves(q, |_, count| 0..count),
+        },
+        Mistake {
+            name: "asks the second child only if the ray misses the first (else if)",
+            hint: "A ray meets both children of a branch: how many of your conditions are asked?",
+            answer: |q| walked(q, Until::Met),
+        },
+        Mistake {
+            name: "asks the second child only if the ray meets the first",
+            hint: "A ray misses the first child: does it miss the second, too? What leaves your loop, and what only goes on to the next child?",
+            answer: |q| walked(q, Until::Missed),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -375,12 +431,9 @@ fn counting(q: &BvhClosest, count: fn(&Found) -> (u32, u32)) -> BvhClosestAnswer
 
 /// A search that goes wrong in some way.
 fn search(q: &BvhClosest, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
-    let found = with_tree(q, |tree| search::search(tree, &node(q, 0), change));
-    BvhClosestAnswer {
-        boxes: found.boxes,
-        tests: found.tests,
-        hit: found.hit,
-    }
+    answer_of(with_tree(q, |tree| {
+        search::search(tree, &node(q, 0), change)
+    }))
 }
 
 /// What is in a node.
@@ -394,9 +447,14 @@ fn node(q: &BvhClosest, i: u32) -> Node {
 
 /// Whatever is to be done with the question's tree.
 fn with_tree<T>(q: &BvhClosest, then: impl FnOnce(&Tree) -> T) -> T {
+    of_nodes(q, &|i| node(q, i), then)
+}
+
+/// The same, with other contents of the nodes.
+fn of_nodes<T>(q: &BvhClosest, node: &dyn Fn(u32) -> Node, then: impl FnOnce(&Tree) -> T) -> T {
     let child = |i: u32| {
         let NodeRow { min, max, .. } = q.nodes[i as usize];
-        (Aabb { min, max }, node(q, i))
+        (Aabb { min, max }, node(i))
     };
     then(&Tree {
         ray: &q.ray,
@@ -428,5 +486,57 @@ pub fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClose
         within,
         triangles: in_order.collect(),
         nodes: tree.nodes,
+    }
+}
+
+/// Shrinks each triangle in a leaf to a point, unless the ray hits the triangle within a part of the distances that count. The part
+/// is made of these distances and of those at which the ray is inside the leaf's box.
+fn lose_outside_of_boxes(q: &mut BvhClosest, part: fn(Interval, Interval) -> Interval) {
+    // The root's box is not asked: a root that is a leaf is tested within all distances.
+    for node in q.nodes.iter().skip(1).filter(|node| node.count > 0) {
+        let bounds = Aabb::new(node.min, node.max);
+        let within = slab::clip(&bounds, &q.ray, q.within).map(|inside| part(q.within, inside));
+        let triangles = q.triangles.iter_mut().skip(node.first as usize);
+        for triangle in triangles.take(node.count as usize) {
+            let &mut Corners { p0, p1, p2 } = triangle;
+            let facet = Facet {
+                corners: [p0, p1, p2],
+                id: 0,
+            };
+            if within
+                .and_then(|within| facet.hit(&q.ray, within))
+                .is_none()
+            {
+                (triangle.p1, triangle.p2) = (p0, p0);
+            }
+        }
+    }
+}
+
+/// The right search, but for the triangles of a leaf: their numbers are made of the leaf's `first` and `count`.
+fn in_leaves(q: &BvhClosest, ids: fn(u32, u32) -> Range<u32>) -> BvhClosestAnswer {
+    let node = |i: u32| {
+        let NodeRow { first, count, .. } = q.nodes[i as usize];
+        match count {
+            0 => Node::Branch(i),
+            _ => Node::Leaf(ids(first, count).collect()),
+        }
+    };
+    answer_of(of_nodes(q, &node, |tree| {
+        search::search(tree, &node(0), |_| {})
+    }))
+}
+
+/// The answer of a search that asks no more children of a branch after one that is met, or missed.
+fn walked(q: &BvhClosest, until: Until) -> BvhClosestAnswer {
+    answer_of(with_tree(q, |tree| walk(tree, &node(q, 0), until)))
+}
+
+/// What is answered after a search.
+fn answer_of(found: Found) -> BvhClosestAnswer {
+    BvhClosestAnswer {
+        boxes: found.boxes,
+        tests: found.tests,
+        hit: found.hit,
     }
 }

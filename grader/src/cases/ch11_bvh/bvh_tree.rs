@@ -136,6 +136,50 @@ fn are_apart(nodes: &[NodeRow], child: usize) -> bool {
     apart && open == [0]
 }
 
+/// What is wrong with a tree that is sound as soon as its leaves begin at other places, or its order is the other way round.
+pub(super) fn misplaced(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
+    let begun = |first: &dyn Fn(&NodeRow) -> Option<u32>| {
+        let mut tree = tree.clone();
+        for leaf in tree.nodes.iter_mut().filter(|node| node.count > 0) {
+            leaf.first = first(leaf)?;
+        }
+        Some(tree)
+    };
+    let is_sound =
+        |tree: Option<BvhBuildAnswer>| tree.is_some_and(|tree| tree_cost(q, &tree).is_ok());
+    let place = |shape: u32| tree.order.iter().position(|other| *other == shape);
+    let behind = is_sound(begun(&|leaf| leaf.first.checked_sub(leaf.count)));
+    let late = is_sound(begun(&|leaf| leaf.first.checked_sub(1)));
+    let why = if is_sound(begun(&|leaf| Some(place(leaf.first)? as u32))) {
+        "each leaf has the number of its first box for its `first`, and not that box's place in the order"
+    } else if behind && late {
+        "each leaf begins behind its last box, one place too late"
+    } else if behind {
+        "each leaf begins behind its last box in the order"
+    } else if late {
+        "each leaf begins one place too late in the order"
+    } else if is_sound(Some(BvhBuildAnswer {
+        order: places(&tree.order),
+        ..tree.clone()
+    })) {
+        "the order tells the place of each box, and not which box is at each place"
+    } else {
+        return None;
+    };
+    Some(why.to_owned())
+}
+
+/// The place of each number in a list; the place behind the last for a number that is not in the list.
+pub(super) fn places(order: &[u32]) -> Vec<u32> {
+    let mut places = vec![order.len() as u32; order.len()];
+    for (place, &shape) in order.iter().enumerate() {
+        if let Some(of_shape) = places.get_mut(shape as usize) {
+            *of_shape = place as u32;
+        }
+    }
+    places
+}
+
 /// The first choice in a tree that costs more than it need: of a leaf, or of a cut.
 pub(super) fn wrong_choice(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
     let below = |node: usize| {

@@ -253,6 +253,65 @@ impl Graded for SahCost {
             hint: "A node has half the root's area: which part of the rays that meet the root meets the node? How often is it in your product?",
             answer: |q| measured(q, |n| node_area(n).powi(2)),
         },
+        Mistake {
+            name: "takes a node for a branch if its `first` is not 0",
+            hint: "The second leaf of a tree does not begin at shape 0: which number of a node tells a leaf from a branch?",
+            answer: |q| {
+                priced(q, |q, n| {
+                    if n.first > 0 {
+                        q.branch
+                    } else {
+                        q.shape * n.count as f32
+                    }
+                })
+            },
+        },
+        Mistake {
+            name: "counts the cost of a branch once for each of its two children",
+            hint: "What does the task give the cost of: of opening a branch, or of asking one box?",
+            answer: |q| Self::misread(q, |q| q.branch *= 2.0),
+        },
+        Mistake {
+            name: "weighs the cost of a branch by the areas of its two children, and not by its own",
+            hint: "A ray opens a branch and misses both of its children: does it pay for the branch?",
+            answer: |q| {
+                let Some(root) = q.nodes.first() else {
+                    return 0.0;
+                };
+                let leaf = |q: &SahCost, n: &NodeRow| if n.count > 0 { q.branch } else { 0.0 };
+                let of_root = if root.count > 0 {
+                    leaf(q, root)
+                } else {
+                    node_price(q, root)
+                };
+                Self::right(q) + priced(q, leaf) - of_root
+            },
+        },
+        Mistake {
+            name: "weighs each node by the area of its parent",
+            hint: "A ray that enters a branch asks the boxes of both children: does it enter both?",
+            answer: by_parents_areas,
+        },
+        Mistake {
+            name: "doubles only the first of the three products of an area",
+            hint: "How does your language read 2 * a + b + c: how many of the three are doubled?",
+            answer: |q| {
+                measured(q, |n| {
+                    let d = n.max - n.min;
+                    node_area(n) + 2.0 * d.x * d.y
+                })
+            },
+        },
+        Mistake {
+            name: "doubles only the last of the three products of an area",
+            hint: "How does your language read a + b + 2 * c: how many of the three are doubled?",
+            answer: |q| {
+                measured(q, |n| {
+                    let d = n.max - n.min;
+                    node_area(n) + 2.0 * d.z * d.x
+                })
+            },
+        },
     ];
 }
 
@@ -330,4 +389,15 @@ fn first_times(q: &SahCost, node: usize, times: f32) -> f32 {
     } else {
         own + times * first_times(q, node.first as usize, times)
     }
+}
+
+/// The cost of a search that enters both children of each branch that it opens.
+fn by_parents_areas(q: &SahCost) -> f32 {
+    let Some(root) = q.nodes.first() else {
+        return 0.0;
+    };
+    let branches = q.nodes.iter().filter(|node| node.count == 0);
+    let prices = |branch| children(q, branch).map(|child| node_price(q, child));
+    let below = branches.map(|branch| node_area(branch) * prices(branch).sum::<f32>());
+    node_price(q, root) + below.sum::<f32>() / node_area(root)
 }

@@ -169,5 +169,51 @@ impl Graded for PointLightExercise {
             hint: "Clear air swallows nothing: why does a lamp look weaker from far away?",
             answer: |q| falling_off(q, |r| (-r).exp()),
         },
+        Mistake {
+            name: "multiplies by the squared distance",
+            hint: "Go twice as far away: does the lamp become brighter on your page?",
+            answer: |q| falling_off(q, |r| r * r),
+        },
+        Mistake {
+            name: "divides by the squared distance twice",
+            hint: "In how many places of your function does the light fall off?",
+            answer: |q| falling_off(q, |r| 1.0 / (r * r * r * r)),
+        },
+        Mistake {
+            name: "divides by π d², the area of a circle",
+            hint: "The intensity is given per steradian already: is there a π left to divide by?",
+            answer: |q| falling_off(q, |r| 1.0 / (std::f32::consts::PI * r * r)),
+        },
+        Mistake {
+            name: "divides by 2π, as if the intensity were the power of half of a sphere",
+            hint: "The intensity is given per steradian already: is there a 2π left to divide by?",
+            answer: |q| falling_off(q, |r| 1.0 / (std::f32::consts::TAU * r * r)),
+        },
+        Mistake {
+            name: "takes 1 for a squared distance below 1, so that the light never grows",
+            hint: "Half a metre from the lamp: is the page brighter than at one metre?",
+            answer: |q| falling_off(q, |r| 1.0 / (r * r).max(1.0)),
+        },
+        Mistake {
+            name: "takes the lit point to be at the world's origin",
+            hint: "Move the point by one metre: does your answer change?",
+            answer: |q| Self::misread(q, |q| q.at = Vec3::ZERO),
+        },
+        Mistake {
+            name: "adds the point to the light's position instead of subtracting it",
+            hint: "From which of the two points to which one does the direction go: what do you subtract from what?",
+            answer: |q| Self::misread(q, |q| q.at = -q.at),
+        },
+        Mistake {
+            name: "divides the direction by the squared distance",
+            hint: "How long is your direction at two metres, and how long should it be?",
+            answer: |q| {
+                let right = PointLightExercise::right(q)?;
+                Some(Arriving {
+                    toward: right.toward / right.distance,
+                    ..right
+                })
+            },
+        },
     ];
 }

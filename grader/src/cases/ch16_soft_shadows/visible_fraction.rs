@@ -6,7 +6,7 @@ mod misread;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use fractions::{FINE, by_cosine, exact, seen, seen_past, to_the_corners};
+use fractions::{FINE, by_cosine, exact, of_a_lattice, seen, seen_past, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use misread::{by_balls, less_each, past_each, turned};
 use rand::RngExt;
@@ -14,9 +14,10 @@ use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::Shape;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use std::f32::consts::{SQRT_2, TAU};
+use std::ops::RangeInclusive;
 
-/// How many samples are asked for.
-const SAMPLES: u32 = 1024;
+/// How many samples are asked for: nearly always a number that is no square.
+const SAMPLES: RangeInclusive<u32> = 900..=1150;
 
 /// How much smaller a light is that is beside a ball's border.
 const TINY: f32 = 0.003;
@@ -28,7 +29,7 @@ impl Graded for VisibleFraction {
     /// The share of a whole light has no edges at which a last digit decides.
     const ULPS: i32 = 0;
 
-    /// Estimates scatter: of 1024 samples a fraction of a half by 3 % of itself, one of a twentieth by 14 %.
+    /// Estimates scatter: of 1000 samples a fraction of a half by 3 % of itself, one of a twentieth by 14 %.
     const ALIKE: f32 = 0.25;
 
     fn random(rng: &mut Pcg) -> VisibleFraction {
@@ -70,13 +71,14 @@ impl Graded for VisibleFraction {
             b: depth * Vec3::Z,
             points,
             balls,
-            samples: SAMPLES,
+            samples: rng.random_range(SAMPLES),
         }
     }
 
     /// By Bernstein's inequality, the mean of n samples that are 0 or 1 is off by more than √(2 f(1 − f) L/n) + 2L/(3n)
     /// with a probability below 2 e^(−L): with L = 21 once in 10⁹ points, in a class of 500 less than once in 10⁴ times. Where all of the
-    /// light is seen, or nothing of it, chance has no say: there half a sample is too much.
+    /// light is seen, or nothing of it, chance has no say: there half a sample is too much. And where a part of it is seen, all samples are alike
+    /// with the probability (1 − f)ⁿ or fⁿ.
     fn judge(q: &VisibleFraction, _golden: &Vec<f32>, got: &Vec<f32>) -> Verdict {
         const L: f32 = 21.0;
         /// What the lattice that stands for the exact value may be off.
@@ -112,7 +114,15 @@ impl Graded for VisibleFraction {
                 (2.0 * f * (1.0 - f) * L / n).sqrt() + 2.0 * L / (3.0 * n) + LATTICE
             };
             let name = format!("the fraction of point {i}");
-            let judged = judge::number_within(&name, "", f, fraction, bound);
+            // The logarithm of the probability that all samples are alike.
+            let alike = n * (1.0 - (f - fraction).abs() + LATTICE).ln();
+            let judged = if [0.0, 1.0].contains(&fraction) && alike < -L {
+                Err(format!(
+                    "{name} is exactly {fraction}, and should be about {f:.2}"
+                ))
+            } else {
+                judge::number_within(&name, "", f, fraction, bound)
+            };
             judged.map_err(|why| match of_fewer(got, q.samples) {
                 Some(few) => format!("{why}: all fractions are whole parts of {few}, as of {few} samples instead of {n}"),
                 None => why,
@@ -139,6 +149,11 @@ impl Graded for VisibleFraction {
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {
+            complaint: "near to the point",
+            name: "counts samples near to the point more than others, or less, which no single answer shows",
+            hint: "The fraction is one of the light's area: does each sample count the same, whatever its distance and its angle at the light?",
+        },
+        Flaw {
             complaint: "of the light",
             name: "does not choose all places of the light equally often, which no single answer shows",
             hint: "From where to where do your two random numbers go, and is one of them changed afterwards: squared, shifted, or multiplied by something that is nearly 1?",
@@ -157,6 +172,11 @@ impl Graded for VisibleFraction {
             complaint: "times as much as those of so many samples may",
             name: "takes fewer samples than are asked for, or some of them again, which no single answer shows",
             hint: "How many samples do you take for each point, and does each of them have random numbers of its own?",
+        },
+        Flaw {
+            complaint: "is exactly",
+            name: "returns exactly 0 or exactly 1 at points from which a part of the light is seen",
+            hint: "Is every sample asked at each point, or do you stop early when the first ones are all seen, or all hidden? Are the places spread over all of the light, and is your division one of whole numbers?",
         },
     ];
 
@@ -603,6 +623,36 @@ impl Graded for VisibleFraction {
             name: "subtracts the share that each ball alone would hide, and takes 0 where less is left",
             hint: "Where two shadows overlap, how often do you count what is hidden there?",
             answer: |q| past_each(q, |free, alone| less_each(free, alone).max(0.0)),
+        },
+        Mistake {
+            name: "takes n · n samples, where n is the root of the number that is asked for, rounded down, and divides by the number itself",
+            hint: "If 1000 samples are asked for, how many places has your lattice, and by which number do you divide?",
+            answer: |q| of_a_lattice(q, f32::floor),
+        },
+        Mistake {
+            name: "takes n · n samples, where n is the root of the number that is asked for, rounded up, and divides by the number itself",
+            hint: "If 1000 samples are asked for, how many places has your lattice, and by which number do you divide?",
+            answer: |q| of_a_lattice(q, f32::ceil),
+        },
+        Mistake {
+            name: "leaves out a border of the light, such as a tenth on each side",
+            hint: "From where to where must your random numbers go, so that all of the light is reached?",
+            answer: |q| seen(q, FINE, |u| 0.1 + 0.8 * u, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "leaves out a wide border of the light, such as a fifth on each side",
+            hint: "From where to where must your random numbers go, so that all of the light is reached?",
+            answer: |q| seen(q, FINE, |u| 0.2 + 0.6 * u, [0.0, 1.0]),
+        },
+        Mistake {
+            name: "goes along a by both random numbers, and never along b",
+            hint: "Which side of the light belongs to each of your two random numbers?",
+            answer: |q| seen(q, 16, |u| Vec2::new(u.element_sum(), 0.0), [0.0, 1.0]),
+        },
+        Mistake {
+            name: "goes along b by both random numbers, and never along a",
+            hint: "Which side of the light belongs to each of your two random numbers?",
+            answer: |q| seen(q, 16, |u| Vec2::new(0.0, u.element_sum()), [0.0, 1.0]),
         },
     ];
 }

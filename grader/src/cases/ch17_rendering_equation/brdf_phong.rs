@@ -42,12 +42,24 @@ impl Graded for BrdfPhong {
             Dir3::new_or(*flipped + 0.1 * *normal, normal)
         };
         let (view, light) = (above(rng), above(rng));
-        // Half of them near the highlight, a few behind the surface.
+        // Half of them near the highlight.
         let mirrored = 2.0 * view.dot(*normal) * *normal - *view;
-        let toward = match rng.random_range(0..40) {
-            0 => -light,
-            1..=20 => Dir3::new_or(mirrored + sample::point(rng, 0.3), normal),
-            _ => light,
+        let toward = if rng.random_bool(0.5) {
+            Dir3::new_or(mirrored + sample::point(rng, 0.3), normal)
+        } else {
+            light
+        };
+        // Of one question in four, the viewer is below the surface, or the light, or both: more of them just below.
+        let mut below = |d: Dir3| {
+            let down = 1.0 + sample::number(rng, 0.2, 1.0).powi(2);
+            Dir3::new_or(*d - down * d.dot(*normal) * *normal, -normal)
+        };
+        let (view_below, toward_below) = (below(view), below(toward));
+        let (view, toward) = match rng.random_range(0..24) {
+            0..3 => (view_below, toward),
+            3..5 => (view, toward_below),
+            5 => (view_below, toward_below),
+            _ => (view, toward),
         };
         BrdfPhong {
             normal,

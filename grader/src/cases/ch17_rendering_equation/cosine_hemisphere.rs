@@ -8,7 +8,9 @@ use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use glam::{Vec2, Vec3, vec3};
-use maps::{around, beside, by_axes, chosen, half_squeezed, leaning, over_disc, shrunk, squeezed};
+use maps::{
+    around, beside, by_axes, chosen, half_squeezed, leaning, lifted, over_disc, shrunk, squeezed,
+};
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch17_rendering_equation::CosineHemisphere;
@@ -57,6 +59,25 @@ fn fills(q: &CosineHemisphere, got: &[Vec3]) -> Verdict {
         ));
     }
     Ok(())
+}
+
+/// What is wrong where all heights are half a step of the lattice off, and what leads to it.
+const TOO_STEEP: &str = "leaves out the halves of the lattice, or takes 1 for them, so that all directions are a little too steep";
+const TOO_FLAT: &str = "leaves out the halves of the lattice, or takes 1 for them, so that all directions are a little too flat";
+const HALVES: &str = "The first of n cells goes from 0 to 1/n: where is its middle?";
+
+/// By which part of a lattice's step the heights of each answer are off, if it is the same for all of them: cos²θ is 1 − u there. Another density is
+/// off by as much whatever n is, which is no part of a step.
+fn steps_off(answers: &[(CosineHemisphere, Vec<Vec3>)]) -> Option<f64> {
+    const CLOSE: f64 = 0.05;
+    let off = |(q, got): &(CosineHemisphere, Vec<Vec3>)| -> f64 {
+        let square = |d: &Vec3| f64::from(q.normal.dot(*d)).powi(2);
+        got.iter().map(square).sum::<f64>() - 0.5 * f64::from(q.n)
+    };
+    let all: Vec<_> = answers.iter().map(off).collect();
+    let first = *all.first()?;
+    let is_same = |off: &f64| (off - first).abs() < CLOSE;
+    all.iter().all(is_same).then_some(first)
 }
 
 impl Graded for CosineHemisphere {
@@ -150,6 +171,13 @@ impl Graded for CosineHemisphere {
         let mean = |f: fn(f64) -> f64| {
             cosines.iter().map(|cosine| f(*cosine)).sum::<f64>() / cosines.len() as f64
         };
+        let half = |off: &f64| (off.abs() - 0.5).abs() < 0.1;
+        if let Some(off) = steps_off(answers).filter(half) {
+            let how = if off > 0.0 { "steep" } else { "flat" };
+            return Err(format!(
+                "all heights are half a step of the lattice too {how}: the sums of cos²θ are {off:.1} off, whatever n is"
+            ));
+        }
         for (what, mean, exact, bound) in [
             ("cos θ", mean(|cosine| cosine), 2.0 / 3.0, 0.006),
             ("cos²θ", mean(|cosine| cosine * cosine), 0.5, 0.007),
@@ -217,18 +245,28 @@ impl Graded for CosineHemisphere {
             hint: "Seen from above, are there as many directions to each side? Are your axes of length 1, and perpendicular?",
         },
         Flaw {
+            complaint: "lattice too steep",
+            name: TOO_STEEP,
+            hint: HALVES,
+        },
+        Flaw {
+            complaint: "lattice too flat",
+            name: TOO_FLAT,
+            hint: HALVES,
+        },
+        Flaw {
             complaint: "over all answers, the mean of cos",
-            name: "makes directions a little too steep or too flat on average: another density, or axes not all of length 1",
-            hint: "Which power of the cosine is your density? How long are the two axes beside the normal, whatever the normal is?",
+            name: "makes directions a little too steep or too flat on average",
+            hint: "Which power of the cosine is your density? How long are the two axes beside the normal, whatever the normal is? Has each number of the lattice its ½?",
         },
         Flaw {
             complaint: "the mean of cos",
-            name: "does not choose by the cosine, or by other numbers than the given: the directions are too steep, or too flat",
+            name: "makes directions too steep or too flat on average",
             hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1?",
         },
         Flaw {
             complaint: "above the surface",
-            name: "does not choose by the cosine, or not by the given numbers: some heights are chosen too often",
+            name: "chooses some heights above the surface too often, and others too seldom",
             hint: "Points spread evenly over the unit disc and lifted to the sphere: how is the radius made from a number from 0 to 1? Are your numbers those of the task, or random ones?",
         },
     ];
@@ -307,12 +345,7 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "adds a point of the unit sphere to twice the normal",
             hint: "Where must the middle of the sphere be, so that the surface touches it?",
-            answer: |q| {
-                around(q, |u| {
-                    let of_sphere = at_height(1.0 - 2.0 * u.x, TAU * u.y);
-                    (of_sphere + 2.0 * Vec3::Z).normalize_or_zero()
-                })
-            },
+            answer: |q| around(q, |u| lifted(2.0, u)),
         },
         Mistake {
             name: "adds a point of the unit ball, not of its surface, to the normal",
@@ -489,6 +522,21 @@ impl Graded for CosineHemisphere {
             name: "takes the world's x and y for the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
             answer: |q| by_axes(q, Vec3::X, Vec3::Y),
+        },
+        Mistake {
+            name: "adds a point of the unit sphere to a vector that is a little longer than the normal, such as 1.1 normals",
+            hint: "Where must the middle of the sphere be, so that the surface touches it? How flat is your flattest direction?",
+            answer: |q| around(q, |u| lifted(1.1, u)),
+        },
+        Mistake {
+            name: "adds a point of the unit sphere to a vector between one normal and two, such as 1.5 normals",
+            hint: "Where must the middle of the sphere be, so that the surface touches it? How flat is your flattest direction?",
+            answer: |q| around(q, |u| lifted(1.5, u)),
+        },
+        Mistake {
+            name: "adds a point of the unit sphere to a vector that is a little shorter than the normal, such as 0.9 normals",
+            hint: "Where must the middle of the sphere be, so that the surface touches it? Which points of yours lie below the surface?",
+            answer: |q| around(q, |u| lifted(0.9, u)),
         },
     ];
 }

@@ -6,9 +6,9 @@ use super::colour;
 use crate::together::{Bounds, scattered};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use estimates::{
-    both, brdf_by, built, by_own_density, clamped, cosine, crossed, estimated, from_below,
-    half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte, mirrored,
-    on_curve, under, uneven,
+    both, brdf_by, built, by_own_density, clamped, clamped_light, cosine, crossed, estimated,
+    from_below, half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte,
+    mirrored, on_curve, under, uneven,
 };
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -40,7 +40,8 @@ fn exact_and_scatter(q: &ReflectedRadiance) -> ([f32; 3], [f32; 3]) {
 /// Samples of the question that is asked again and again, to see whether each answer has random numbers of its own.
 const AGAIN: u32 = 1000;
 
-/// That question, each time hardly another, for who takes random numbers from all that is asked.
+/// That question, each time hardly another, for who takes random numbers from all that is asked; and among the first of them it is asked
+/// for twice as many samples.
 fn again(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
     let question = ReflectedRadiance {
         samples: AGAIN,
@@ -56,7 +57,35 @@ fn again(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
             ..question.clone()
         }
     };
-    (0..64).map(hardly).collect()
+    let mut questions: Vec<_> = (0..71).map(hardly).collect();
+    let of_more = ReflectedRadiance {
+        samples: 2 * AGAIN,
+        ..questions[0].clone()
+    };
+    questions.insert(1, of_more);
+    questions
+}
+
+/// Whether other numbers of samples make other estimates. Who always takes the same number of them, and the same random numbers, has the
+/// same one.
+fn depends_on_samples(answers: &[(ReflectedRadiance, Rgb)]) -> Verdict {
+    for (i, (one, got)) in answers.iter().enumerate() {
+        let is_same = |(other, its): &&(ReflectedRadiance, Rgb)| {
+            let mut question = other.clone();
+            question.samples = one.samples;
+            other.samples != one.samples && question == *one && its == got
+        };
+        if let Some((other, _)) = answers[..i].iter().find(is_same) {
+            let [few, many] = [
+                one.samples.min(other.samples),
+                one.samples.max(other.samples),
+            ];
+            return Err(format!(
+                "an estimate by {few} samples is exactly the same as that by {many}"
+            ));
+        }
+    }
+    Ok(())
 }
 
 /// Whether the answers to that question, eight at least, scatter. Who takes the same random numbers each time is off to the same side each time, and
@@ -115,9 +144,10 @@ impl Graded for ReflectedRadiance {
     }
 
     /// The sum of n estimates, each over the standard deviation of the one that scatters most, has a standard deviation of √n at most: a
-    /// bias of 1 % shows in 42 cases. And so do a tenth of the samples, by the sum of the squares.
+    /// bias of 2 % shows in 42 cases. And so do a tenth of the samples, by the sum of the squares.
     fn together(answers: &[(ReflectedRadiance, Rgb)], bounds: Bounds) -> Verdict {
         const DEVIATIONS: f64 = 6.25;
+        depends_on_samples(answers)?;
         if !are_independent(answers) {
             return Ok(());
         }
@@ -141,7 +171,7 @@ impl Graded for ReflectedRadiance {
         scattered("the estimates", off.into_iter(), bounds)
     }
 
-    /// One question again and again.
+    /// One question again and again, once for more samples.
     fn further(rng: &mut Pcg) -> Vec<ReflectedRadiance> {
         again(rng)
     }
@@ -156,6 +186,11 @@ impl Graded for ReflectedRadiance {
             complaint: "times as much as those of so many samples may",
             name: "takes fewer samples than are asked for, or some of them again, which no single answer shows",
             hint: "How many samples do you take for each estimate, and does each of them have random numbers of its own?",
+        },
+        Flaw {
+            complaint: "is exactly the same as that by",
+            name: "does not take the number of samples that is asked for: more of them change nothing",
+            hint: "How many samples do you take for each estimate? Is that the number of the question, or one that you have chosen?",
         },
     ];
 
@@ -599,6 +634,31 @@ impl Graded for ReflectedRadiance {
             name: "makes both angles of a direction of one random number, and chooses by cosine and highlight (axes by cross products)",
             hint: "Draw your directions on the hemisphere: do they fill it, or do they make a spiral? How many random numbers has each of them?",
             answer: |q| on_curve(q, &lobes(q), crossed, |u| u),
+        },
+        Mistake {
+            name: "cuts off what is brighter than 3, or another fixed value, in the light over the density, before it multiplies by the BRDF",
+            hint: "A rare bright sample stands for many that did not come: what becomes of the average if it is made darker?",
+            answer: |q| clamped_light(q, 3.0),
+        },
+        Mistake {
+            name: "cuts off what is brighter than 2, or another fixed value, in the light over the density, before it multiplies by the BRDF",
+            hint: "A rare bright sample stands for many that did not come: what becomes of the average if it is made darker?",
+            answer: |q| clamped_light(q, 2.0),
+        },
+        Mistake {
+            name: "divides by π once more",
+            hint: "A white surface under a sky of the same radiance everywhere looks as bright as the sky: does yours?",
+            answer: |q| estimated(q, |_, _| 1.0 / PI),
+        },
+        Mistake {
+            name: "takes the viewer's cosine in the place of the light's",
+            hint: "Light that arrives at a slant is spread over more of the surface: between which two directions is the angle?",
+            answer: |q| estimated(q, |q, d| q.view.dot(*q.normal) / cosine(q, d).max(1e-9)),
+        },
+        Mistake {
+            name: "multiplies by the viewer's cosine too",
+            hint: "Light that arrives at a slant is spread over more of the surface: between which two directions is the angle?",
+            answer: |q| estimated(q, |q, _| q.view.dot(*q.normal)),
         },
     ];
 }

@@ -2,7 +2,7 @@
 
 use super::toward;
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec2, Vec3, Vec3Swizzles, vec2, vec3};
 use raybook::light::environment::latlong;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette::viridis;
@@ -159,6 +159,31 @@ impl Graded for DirectionToLatlong {
                 let d = q.direction;
                 let phi = (-d.z).clamp(-1.0, 1.0).acos().copysign(d.x);
                 vec2(0.5 + phi / (2.0 * PI as f32), Self::right(q).y)
+            },
+        },
+        Mistake {
+            name: "takes x and y of the direction themselves for the place, brought to the range from 0 to 1",
+            hint: "Two directions with the same x and y, one ahead and one behind: do they have the same place? And what is an angle in your function?",
+            answer: |q| 0.5 + vec2(0.5, -0.5) * q.direction.xy(),
+        },
+        Mistake {
+            name: "exchanges the two arguments of the arc tangent",
+            hint: "Which argument of the arc tangent is 0 in the middle of the map: is that x or z, and does it come first?",
+            answer: |q| Self::right(&turned(q, |d| vec3(-d.z, d.y, -d.x))),
+        },
+        Mistake {
+            name: "has -x in the middle, and left and right exchanged",
+            hint: "Which two components does the angle around the y axis come from, in which order, and with which signs?",
+            answer: |q| Self::right(&turned(q, |d| vec3(d.z, d.y, d.x))),
+        },
+        Mistake {
+            name: "forgets the half that puts -z in the middle, and so has negative u on the left",
+            hint: "What is u for -z, which is in the middle of the map, and what is the arc tangent there?",
+            answer: |q| {
+                let Vec3 { x, z, .. } = *q.direction;
+                let is_pole = x == 0.0 && z == 0.0;
+                let phi = if is_pole { 0.0 } else { x.atan2(-z) };
+                vec2(phi / (2.0 * PI as f32), Self::right(q).y)
             },
         },
     ];

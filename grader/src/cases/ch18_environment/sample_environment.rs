@@ -14,7 +14,8 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
 use samplers::{
-    Asked, by_angle, by_solid_angle, direction, elsewhere, in_one_list, in_rows, raised, sine,
+    Asked, by_angle, by_solid_angle, cut_off, direction, elsewhere, in_one_list, in_rows, listed,
+    of_row, raised, rest_of_number, sine,
 };
 
 impl Graded for SampleEnvironment {
@@ -476,6 +477,96 @@ impl Graded for SampleEnvironment {
             name: "adds a small number such as 0.01 to each texel before it chooses one",
             hint: "With which probability is a black texel to be chosen, and what is the answer for a black map?",
             answer: |q| q.sampled(|q, x, y| raised(q, x, y, 0.01), by_solid_angle),
+        },
+        Mistake {
+            name: "weighs a row by its sine twice",
+            hint: "Where does the sine stand in your sums: in the weight of a texel, in that of a row, or in both?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y) * sine(q, y, 0.5).powi(2),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "cuts the radiance off at 1 before it chooses a texel",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| q.sampled(|q, x, y| cut_off(q, x, y, 1.0), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the radiance off at 2, or near it, before it chooses a texel",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| q.sampled(|q, x, y| cut_off(q, x, y, 2.0), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the radiance off at 4, or near it, before it chooses a texel",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| q.sampled(|q, x, y| cut_off(q, x, y, 4.0), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the radiance off at 1 before it chooses a texel (of one list of all)",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| listed(q, |q, x, y| cut_off(q, x, y, 1.0), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the radiance off at 2, or near it, before it chooses a texel (of one list of all)",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| listed(q, |q, x, y| cut_off(q, x, y, 2.0), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the radiance off at 4, or near it, before it chooses a texel (of one list of all)",
+            hint: "A texel of radiance 8 should be chosen eight times as often as one of radiance 1 that is as large: how often is it?",
+            answer: |q| listed(q, |q, x, y| cut_off(q, x, y, 4.0), rest_of_number),
+        },
+        Mistake {
+            name: "weighs by the root of the radiance (in one list of all texels)",
+            hint: "A texel twice as bright should be chosen twice as often: how often is it?",
+            answer: |q| {
+                listed(
+                    q,
+                    |q, x, y| q.texel(x, y).sqrt() * q.solid_angle(y),
+                    rest_of_number,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs by the root of the radiance",
+            hint: "A texel twice as bright should be chosen twice as often: how often is it?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y).sqrt() * q.solid_angle(y),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "chooses all rows equally often that are not black",
+            hint: "How often should a row be chosen that has twice as much light as another?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.light(x, y) / of_row(q, y).max(1e-30),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "chooses all texels of a row equally often",
+            hint: "In a row with one bright texel, how often is that one chosen?",
+            answer: |q| q.sampled(|q, _, y| of_row(q, y), by_solid_angle),
+        },
+        Mistake {
+            name: "chooses a row by its brightest texel",
+            hint: "What is the light of a row with many texels: that of one of them, or of all?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| {
+                        let row = (0..q.width as usize).map(|x| q.light(x, y));
+                        let most = row.fold(0.0, f64::max);
+                        q.light(x, y) / of_row(q, y).max(1e-30) * most
+                    },
+                    by_solid_angle,
+                )
+            },
         },
     ];
 }

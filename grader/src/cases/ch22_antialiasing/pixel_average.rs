@@ -77,6 +77,14 @@ impl Graded for PixelAverage {
         // One in the middle, so that there always is something.
         samples[0].offset *= 0.25;
         samples.truncate(rng.random_range(3..=6));
+        // Of one pixel in four, all samples are near the filter's edge: their weights have a small sum.
+        if rng.random_bool(0.25) {
+            let margin = sample::number(rng, 0.1, 0.6);
+            for Seen { offset, .. } in &mut samples {
+                let edge = Vec2::splat(radius).copysign(*offset);
+                *offset = edge.lerp(*offset, margin);
+            }
+        }
         PixelAverage { radius, samples }
     }
 

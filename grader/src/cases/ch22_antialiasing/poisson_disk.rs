@@ -193,6 +193,8 @@ impl Graded for PoissonDisk {
 
     const EFFORT: usize = 100;
 
+    const ALLOWS: &'static str = "Room for one more point may be left in 10 % of the square, and in 4 % of it from 100 points on.";
+
     const FLAWS: &'static [Flaw] = &[
         Flaw {
             complaint: "is not in the unit square",
@@ -354,6 +356,45 @@ impl Graded for PoissonDisk {
             name: "gives up after about thirty points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
             answer: |q| impatient(q, 30),
+        },
+        Mistake {
+            name: "keeps the points √2 times the distance apart",
+            hint: "How near may two points come: once the distance, or once the diagonal of a square of that side?",
+            answer: |q| {
+                apart(q, |way| {
+                    way.length() >= std::f32::consts::SQRT_2 * q.distance
+                })
+            },
+        },
+        Mistake {
+            name: "refuses a point if one of the steps along x and along y is below the distance",
+            hint: "Two points in the same column: how far apart may they be?",
+            answer: |q| apart(q, |way| way.abs().min_element() >= q.distance),
+        },
+        Mistake {
+            name: "keeps the points the whole distance away from the border",
+            hint: "May a point lie on the very edge of the square?",
+            answer: |q| {
+                let inner = |p: Vec2| p.min(1.0 - p).min_element() >= q.distance;
+                darts(q, |p, points| {
+                    inner(p) && points.iter().all(|o| p.distance(*o) >= q.distance)
+                })
+            },
+        },
+        Mistake {
+            name: "gives up at the first point that is too near",
+            hint: "A new point is refused: does that mean that no other one has room?",
+            answer: |q| impatient(q, 1),
+        },
+        Mistake {
+            name: "puts points on a lattice of squares whose sides are the distance",
+            hint: "Would another seed give other points?",
+            answer: |q| {
+                let side = (1.0 / q.distance).ceil() as u32;
+                let place = |i: u32| i as f32 * q.distance;
+                let row = |y| (0..side).map(move |x| vec2(place(x), place(y)));
+                (0..side).flat_map(row).collect()
+            },
         },
     ];
 }

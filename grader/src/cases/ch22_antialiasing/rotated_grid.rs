@@ -17,6 +17,9 @@ use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_6};
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
 
+/// Degrees by which rounded points, or points of four digits, turn a lattice at most.
+const LITTLE: f32 = 0.05;
+
 /// Rounding moves points by less than this.
 const ROUNDING: f32 = 1e-5;
 
@@ -373,9 +376,21 @@ fn angle(q: &RotatedGrid, got: &[Vec2]) -> Verdict {
     // From the nearest axis, whichever that is: 0° to 45°.
     let to_axis = way.to_angle().rem_euclid(2.0 * FRAC_PI_4);
     let degrees = to_axis.min(2.0 * FRAC_PI_4 - to_axis).to_degrees();
-    if (degrees - 26.565).abs() > 0.5 {
+    let off = (degrees - 26.565).abs();
+    if off > 0.5 {
         return Err(format!(
             "the lattice is turned by {degrees:.1}°, and should be by 26.6°"
+        ));
+    }
+    // So little may also come of a shear, whose columns are not at right angles to its rows.
+    let is_on = |p: &Vec2| {
+        let way_back = vec2(way.x, -way.y) / way.length_squared();
+        let steps = way_back.rotate(*p - got[0]);
+        (steps - steps.round()).length() < 2.0 * TOLERANCE / q.spacing
+    };
+    if off > LITTLE && got.iter().all(is_on) {
+        return Err(format!(
+            "the lattice is turned by {degrees:.2}°, and should be by 26.57°"
         ));
     }
     Ok(())

@@ -9,7 +9,7 @@ use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::Cost;
 use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch24_wide_bvh::{
@@ -356,6 +356,48 @@ impl Graded for WideClosest {
             hint: "The nearest hit may be where a long box begins: by which place in the boxes do you sort?",
             answer: |q| search(q, |how| how.order = Order::MiddleOfStay),
         },
+        Mistake {
+            name: "tests the triangles of a leaf only between where the ray enters the leaf's box and where the ray leaves it, ends excluded",
+            hint: "A flat box is entered and left at the same distance: which distances lie between, and where is the hit?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |_, inside| inside);
+                })
+            },
+        },
+        Mistake {
+            name: "tests the triangles of a leaf only behind where the ray enters the leaf's box",
+            hint: "A triangle lies in the face by which the ray enters the box: is its distance greater than that of the box?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |within, inside| {
+                        Interval::new(inside.min, within.max)
+                    });
+                })
+            },
+        },
+        Mistake {
+            name: "tests the triangles of a leaf only before where the ray leaves the leaf's box",
+            hint: "A triangle lies in the face by which the ray leaves the box: is its distance less than that of the face?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    lose_outside_of_boxes(q, |within, inside| {
+                        Interval::new(within.min, inside.max)
+                    });
+                })
+            },
+        },
+        Mistake {
+            name: "takes the place of a triangle in its leaf for its number, and tests the triangles from 0 on in each leaf",
+            hint: "A leaf holds the numbers 6 and 9: which two triangles does your loop test?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    for leaf in &mut q.leaves {
+                        leaf.triangles = (0..leaf.triangles.len() as u32).collect();
+                    }
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -475,5 +517,24 @@ fn search_counting_leaves(q: &WideClosest) -> WideClosestAnswer {
         nodes: found.branches + found.leaves,
         tests: found.tests,
         hit: found.hit,
+    }
+}
+
+/// Shrinks each triangle in a leaf to a point, unless the ray hits the triangle within a part of the distances that count. The part
+/// is made of these distances and of those at which the ray is inside the leaf's box.
+fn lose_outside_of_boxes(q: &mut WideClosest, part: fn(Interval, Interval) -> Interval) {
+    let children = q.nodes.iter().flat_map(|node| &node.children);
+    for child in children.filter(|child| child.leaf != 0) {
+        let bounds = Aabb::new(child.min, child.max);
+        let within = slab::clip(&bounds, &q.ray, q.within).map(|inside| part(q.within, inside));
+        for &id in &q.leaves[child.index as usize].triangles {
+            let triangle = &mut q.triangles[id as usize];
+            let &mut Corners { p0, p1, p2 } = triangle;
+            let corners = [p0, p1, p2];
+            let hit = within.and_then(|within| Facet { corners, id }.hit(&q.ray, within));
+            if hit.is_none() {
+                (triangle.p1, triangle.p2) = (p0, p0);
+            }
+        }
     }
 }

@@ -2,7 +2,7 @@
 
 use super::depth;
 use crate::Graded;
-use glam::{UVec3, Vec3};
+use glam::{BVec3, UVec3, Vec3};
 use raybook::inside::grid::{Lattice, range};
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercise::Exercise;
@@ -136,6 +136,56 @@ pub(super) fn with_numbers(
     }
     right.entries = entries;
     right
+}
+
+/// The right resolution, and the numbers of the first and the last cell that a shape reaches by the places of its corners in the coarse cell,
+/// from 0 to 1, and the last cell's number.
+pub(super) fn with_places(q: &RefineCell, number: fn(Vec3, Vec3) -> Vec3) -> RefineCellAnswer {
+    let right = RefineCell::right(q);
+    let size = (q.max - q.min).max(Vec3::splat(f32::MIN_POSITIVE));
+    with_numbers(right, q, size, |begin, end, last| {
+        (number(begin, last), number(end, last))
+    })
+}
+
+/// The right resolution with fine cells that are as long as the coarse cell divided by `parts` of the resolution, and a rule for the
+/// shapes that a cell names.
+pub(super) fn by_overlap(
+    q: &RefineCell,
+    parts: impl Fn(Vec3) -> Vec3,
+    names: fn(&Aabb, &Corners) -> bool,
+) -> RefineCellAnswer {
+    let mut answer = RefineCell::right(q);
+    let n = resolution(&answer);
+    if n.min_element() < 1.0 {
+        return answer;
+    }
+    let size = (q.max - q.min) / parts(n);
+    answer.entries.clear();
+    for cell in range(UVec3::ZERO, n.as_uvec3() - UVec3::ONE) {
+        let low = q.min + cell.as_vec3() * size;
+        let bounds = Aabb {
+            min: low,
+            max: low + size,
+        };
+        for (shape, corners) in (0..).zip(&q.shapes) {
+            if names(&bounds, corners) {
+                let UVec3 { x, y, z } = cell;
+                answer.entries.push(Entry { x, y, z, shape });
+            }
+        }
+    }
+    answer
+}
+
+/// Whether a shape reaches a cell.
+pub(super) fn within(cell: &Aabb, shape: &Corners) -> bool {
+    reaches_along(cell, shape).all()
+}
+
+/// Along which axes a shape reaches a cell.
+pub(super) fn reaches_along(cell: &Aabb, shape: &Corners) -> BVec3 {
+    shape.max.cmpge(cell.min) & shape.min.cmple(cell.max)
 }
 
 /// The number of cells along each axis.

@@ -2,7 +2,7 @@
 
 use crate::Graded;
 use glam::Vec3;
-use raybook::inside::octree::child_cell;
+use raybook::inside::octree::{child_at, child_cell};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 use raybook_workbook::octree_rows::NodeRow;
@@ -133,4 +133,93 @@ pub(super) fn levels(q: &OctreeWalk) -> Vec<u32> {
         }
     }
     levels
+}
+
+/// The leaves of a walk that opens of each node only the child at either end of the ray's stay.
+pub(super) fn ends_only(q: &OctreeWalk) -> Vec<u32> {
+    let mut found = Vec::new();
+    let mut open = vec![(0, Aabb::new(q.min, q.max))];
+    while let Some((node, cell)) = open.pop() {
+        let NodeRow {
+            inner,
+            first,
+            count,
+        } = q.nodes[node as usize];
+        let stay = slab::clip(&cell, &q.ray, q.within).filter(|stay| stay.max > stay.min);
+        let Some(stay) = stay else {
+            continue;
+        };
+        if inner == 1 {
+            // A little inside, for on a face rounding would decide.
+            let ends = [1e-4, 1.0 - 1e-4].map(|part| {
+                let t = stay.min + part * (stay.max - stay.min);
+                child_at(&cell, q.ray.at(t))
+            });
+            let child = |i: usize| (first + i as u32, child_cell(&cell, i));
+            // That taken from the stack first is put there last.
+            open.extend((ends[1] != ends[0]).then(|| child(ends[1])));
+            open.push(child(ends[0]));
+        } else if count > 0 {
+            found.push(node);
+        }
+    }
+    found
+}
+
+/// The children of a node in the order in which the ray may meet them, and whether it does.
+pub(super) type Children<'a> = &'a [(u32, bool)];
+
+/// Those that the ray meets.
+pub(super) fn met(children: Children<'_>) -> impl Iterator<Item = u32> {
+    let met = children.iter().filter(|(_, is_met)| *is_met);
+    met.map(|(child, _)| *child)
+}
+
+/// The place of the first that it misses.
+pub(super) fn missed(children: Children<'_>) -> usize {
+    let first = children.iter().position(|(_, is_met)| !is_met);
+    first.unwrap_or(children.len())
+}
+
+/// The leaves of a walk that opens these children of each node.
+pub(super) fn chosen(q: &OctreeWalk, choose: fn(Children<'_>) -> Vec<u32>) -> Vec<u32> {
+    let mut found = Vec::new();
+    let root = (0, Aabb::new(q.min, q.max));
+    descend(q, root, &child_cell, &choose, &mut found);
+    found
+}
+
+/// Lists the leaves below a node and its cell, with these cells of its children, of which these are opened.
+pub(super) fn descend(
+    q: &OctreeWalk,
+    (node, cell): (u32, Aabb),
+    cell_of: &dyn Fn(&Aabb, usize) -> Aabb,
+    choose: &dyn Fn(Children<'_>) -> Vec<u32>,
+    found: &mut Vec<u32>,
+) {
+    let NodeRow {
+        inner,
+        first,
+        count,
+    } = q.nodes[node as usize];
+    let is_met = |cell: &Aabb| {
+        let stay = slab::clip(cell, &q.ray, q.within);
+        stay.is_some_and(|stay| stay.max > stay.min)
+    };
+    if !is_met(&cell) {
+        return;
+    }
+    if inner == 1 {
+        let turned = mirror(q.ray.direction.to_array());
+        let children = (0..8).map(|i| i ^ turned);
+        let children: Vec<_> = children
+            .map(|i| (i, is_met(&cell_of(&cell, i as usize))))
+            .collect();
+        for i in choose(&children) {
+            let child = (first + i, cell_of(&cell, i as usize));
+            descend(q, child, cell_of, choose, found);
+        }
+    } else if count > 0 {
+        found.push(node);
+    }
 }

@@ -79,6 +79,27 @@ pub(super) fn by_cosine(q: &VisibleFraction) -> Vec<f32> {
     q.points.iter().zip(seen_places(q)).map(of_point).collect()
 }
 
+/// The solid angle for which each place of the lattice stands at a point, as a multiple of their mean.
+pub(super) fn solid_angles(q: &VisibleFraction, from: Vec3) -> Vec<f64> {
+    let area = q.a.cross(q.b);
+    let solid_angle = |u: Vec2| {
+        let r = q.corner + u.x * q.a + u.y * q.b - from;
+        f64::from((-r.dot(area)).max(0.0) / r.length().powi(3))
+    };
+    let angles: Vec<_> = lattice(FINE).map(solid_angle).collect();
+    let sum = angles.iter().sum::<f64>().max(f64::MIN_POSITIVE);
+    let count = angles.len() as f64;
+    angles.iter().map(|angle| angle * count / sum).collect()
+}
+
+/// The fractions by a lattice of n × n places, where n is the root of the number of samples, rounded to a whole number, if the places that are
+/// seen are divided by the number of samples itself.
+pub(super) fn of_a_lattice(q: &VisibleFraction, round: fn(f32) -> f32) -> Vec<f32> {
+    let samples = q.samples as f32;
+    let share = round(samples.sqrt()).powi(2) / samples;
+    exact(q).iter().map(|f| f * share).collect()
+}
+
 /// Of each point, which places it sees of the lattice that stands for the whole light.
 pub(super) fn seen_places(q: &VisibleFraction) -> Vec<Vec<bool>> {
     seen_at(q, FINE, |u| u, between([0.0, 1.0]))

@@ -1,7 +1,7 @@
 //! Whether places on the light are chosen a little too often on one side, at its borders or at its corners, or samples counted that are not due:
 //! no single fraction shows it, and all of many answers do.
 
-use super::fractions::{FINE, seen_places};
+use super::fractions::{FINE, seen_places, solid_angles};
 use crate::Verdict;
 use crate::cases::ch16_soft_shadows::lattice;
 use crate::together::{Bounds, scattered};
@@ -15,12 +15,13 @@ const LATTICE: f64 = 0.004;
 
 /// What may be slightly wrong: with the places on the light, in the order of [`fraction_and_leanings`]; and with the fractions, that they are some share too
 /// large, or that some share of what is hidden is taken for seen.
-const LEANINGS: [&str; 7] = [
+const LEANINGS: [&str; 8] = [
     "the far side of the light along a were chosen too",
     "the far side of the light along b were chosen too",
     "the borders of the light along a were chosen too",
     "the borders of the light along b were chosen too",
     "the ends of a diagonal of the light were chosen too",
+    "samples near to the point were counted too",
     "a sample that is seen were counted too",
     "a sample that is hidden were counted too",
 ];
@@ -56,7 +57,7 @@ const SHARED: [fn(&Point) -> [usize; 2]; 3] = [
 ];
 
 /// What is slightly wrong shifts each fraction a little, in a direction that is known: the sum of all fractions' shares in that direction is
-/// normally distributed (the score test, Rao 1948). Each of the seven is beyond its bound by chance with 4e-10. Where fractions may have the same random
+/// normally distributed (the score test, Rao 1948). Each of the eight is beyond its bound by chance with 4e-10. Where fractions may have the same random
 /// numbers, the sum has the largest of the variances that it can have by them.
 ///
 /// Fractions with random numbers of their own may scatter no more than the samples that are asked for let them: with 1e-9 they do by chance.
@@ -108,13 +109,14 @@ fn points(answers: &[(VisibleFraction, Vec<f32>)]) -> Vec<Point> {
         let seen = seen_places(q);
         for (place, (seen, got)) in seen.into_iter().zip(got).enumerate() {
             let [f, a, b, borders_a, borders_b, diagonal] = fraction_and_leanings(&seen);
+            let near = by_nearness(q, q.points[place], &seen);
             if !BETWEEN.contains(&f) {
                 continue;
             }
             let samples = f64::from(q.samples);
             points.push(Point {
                 of: [question, place],
-                directions: [a, b, borders_a, borders_b, diagonal, f, 1.0 - f],
+                directions: [a, b, borders_a, borders_b, diagonal, near, f, 1.0 - f],
                 off: f64::from(*got) - f,
                 variance: f * (1.0 - f) / samples + LATTICE * LATTICE,
                 seen,
@@ -160,6 +162,13 @@ fn fraction_and_leanings(seen: &[bool]) -> [f64; 6] {
         sums.iter_mut().zip(weights).for_each(|(sum, w)| *sum += w);
     }
     sums.map(|sum| sum / seen.len() as f64)
+}
+
+/// By how much the fraction is larger, if each place of the lattice counts by the solid angle in which it is seen from a point.
+fn by_nearness(q: &VisibleFraction, from: Vec3, seen: &[bool]) -> f64 {
+    let angles = solid_angles(q, from).into_iter();
+    let more = angles.zip(seen).filter(|(_, seen)| **seen);
+    more.map(|(angle, _)| angle - 1.0).sum::<f64>() / seen.len() as f64
 }
 
 /// Samples of the question that is asked again and again, to see whether each fraction has random numbers of its own.

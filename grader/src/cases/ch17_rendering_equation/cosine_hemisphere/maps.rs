@@ -34,6 +34,12 @@ pub(super) fn around(q: &CosineHemisphere, warp: fn(Vec2) -> Vec3) -> Vec<Vec3> 
     lattice(q.n).map(|u| basis.to_world(warp(u))).collect()
 }
 
+/// The direction to a point of the unit sphere whose middle is lifted to this height.
+pub(super) fn lifted(height: f32, u: Vec2) -> Vec3 {
+    let of_sphere = at_height(1.0 - 2.0 * u.x, TAU * u.y);
+    (of_sphere + height * Vec3::Z).normalize_or_zero()
+}
+
 /// The lattice's images by these axes beside the normal.
 pub(super) fn by_axes(q: &CosineHemisphere, x: Vec3, y: Vec3) -> Vec<Vec3> {
     let image = |u: Vec2| {

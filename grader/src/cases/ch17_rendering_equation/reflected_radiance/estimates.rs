@@ -112,6 +112,16 @@ pub(super) fn clamped(q: &ReflectedRadiance, density: fn(&ReflectedRadiance, Dir
     sum
 }
 
+/// The mean of samples of cosine and highlight, of which the light over the density, for a sky of radiance 1 at its zenith, is at most `limit`.
+pub(super) fn clamped_light(q: &ReflectedRadiance, limit: f32) -> Rgb {
+    let [sum] = integral(q.normal, |d| {
+        let light = (0.5 + 0.5 * d.dot(*q.zenith)) * cosine(q, d);
+        let kept = light.min(limit * both(q, d));
+        [q.brdf().value(q.normal, q.view, d) * q.radiance * kept]
+    });
+    sum
+}
+
 /// The axes and exponents of the two lobes of which half of the directions are each: that of the cosine, and the highlight's.
 pub(super) fn lobes(q: &ReflectedRadiance) -> [(Dir3, f32); 2] {
     [(q.normal, 1.0), (mirrored(q), q.exponent)]

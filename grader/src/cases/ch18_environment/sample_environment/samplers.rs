@@ -64,6 +64,16 @@ pub(super) fn raised(q: &SampleEnvironment, x: usize, y: usize, by: f64) -> f64 
     (q.texel(x, y) + by) * q.solid_angle(y)
 }
 
+/// What a texel counts for, if no radiance is above a limit.
+pub(super) fn cut_off(q: &SampleEnvironment, x: usize, y: usize, limit: f64) -> f64 {
+    q.texel(x, y).min(limit) * q.solid_angle(y)
+}
+
+/// The light of a row.
+pub(super) fn of_row(q: &SampleEnvironment, y: usize) -> f64 {
+    (0..q.width as usize).map(|x| q.light(x, y)).sum()
+}
+
 /// A column and a row, and the shares of the way to the right and of the area downwards in that texel.
 pub(super) type Place = ([usize; 2], [f32; 2]);
 
@@ -102,14 +112,28 @@ pub(super) fn in_one_list(
     q: &SampleEnvironment,
     place: fn(&SampleEnvironment, usize, f32, Vec2) -> Place,
 ) -> Vec<Vec3> {
+    listed(q, SampleEnvironment::light, place)
+}
+
+/// The same, where `weight` is what a texel counts for.
+pub(super) fn listed(
+    q: &SampleEnvironment,
+    weight: fn(&SampleEnvironment, usize, usize) -> f64,
+    place: fn(&SampleEnvironment, usize, f32, Vec2) -> Place,
+) -> Vec<Vec3> {
     let width = q.width as usize;
-    let lights = (0..q.texels.len()).map(|i| q.light(i % width, i / width));
-    let list = Piecewise::new(lights);
+    let weights = (0..q.texels.len()).map(|i| weight(q, i % width, i / width));
+    let list = Piecewise::new(weights);
     let chosen = |u: Vec2| {
         let texel = list.choose(u.x)?;
         Some(direction(q, place(q, texel.cell, texel.within, u)))
     };
     lattice(POINTS).filter_map(chosen).collect()
+}
+
+/// The place in a texel of the list by what is left of the number that chose it, from left to right, and by the other number, from top to bottom.
+pub(super) fn rest_of_number(q: &SampleEnvironment, texel: usize, left: f32, u: Vec2) -> Place {
+    (in_rows(q, texel), [left, u.y])
 }
 
 /// The column and the row of a texel of the list.

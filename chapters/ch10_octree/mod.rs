@@ -13,7 +13,7 @@ use crate::kit::numbers::grouped;
 use crate::kit::palette::{BLUE, FAINT, VERMILION};
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{axis::Axis, sheet::sheet};
-use crate::shared::law::{Reach, fit, mean_tests};
+use crate::shared::law::{Reach, at_sizes, fit};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::showroom::{SMOOTH, Showroom, small};
 use crate::shared::{heat::heat, speeds::rays_a_second};
@@ -149,9 +149,14 @@ fn photograph(
 
 /// The cost of a ray against the number of triangles.
 fn draw_law(stage: &Stage) -> Drawn {
-    let counts = [100, 316, 1000, 3162, 10_000, 31_623, 100_000]
-        .map(|n| (f64::from(n), mean_tests(n, Reach::Near, Octree::new)));
-    let [nodes, tests] = [0, 1].map(|i| counts.map(|(n, tests)| (n, tests[i])));
+    let sizes = [100, 316, 1000, 3162, 10_000, 31_623, 100_000];
+    let counts = at_sizes(&sizes, Reach::Near, Octree::new);
+    let [nodes, tests] = [0, 1].map(|i| {
+        counts
+            .iter()
+            .map(|(n, tests)| (*n, tests[i]))
+            .collect::<Vec<_>>()
+    });
     let [a, b] = fit(&nodes);
     let law = nodes.iter().map(|&(n, _)| (n, a + b * n.log10()));
     let mut chart = Chart::new(
@@ -170,7 +175,9 @@ fn draw_law(stage: &Stage) -> Drawn {
         (nodes, "nodes visited", BLUE),
         (tests, "triangles tested", VERMILION),
     ] {
-        chart.line(points, colour.stroke_width(5)).named(name);
+        chart
+            .line(points.iter().copied(), colour.stroke_width(5))
+            .named(name);
         chart.dots(points, 9, colour.filled());
     }
     let caption = "A short ray in a soup of N triangles, as long as the distance from one triangle to the next. The number of \

@@ -18,6 +18,7 @@ use raybook::math::pcg::Pcg;
 use raybook::math::ray::Ray;
 use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
+use rayon::prelude::*;
 
 /// Number of estimates from which each error is measured.
 pub(super) const REPEATS: u32 = 300;
@@ -75,24 +76,24 @@ impl Setting {
     pub fn exact(&self) -> f64 {
         let n = 1000;
         let place = |i: u32| (vec2((i % n) as f32, (i / n) as f32) + 0.5) / n as f32;
-        let sum: f64 = (0..n * n)
-            .map(|i| self.arrives(LightSampling::BySolidAngle, place(i)))
-            .sum();
-        sum / f64::from(n * n)
+        let arrives = |i| self.arrives(LightSampling::BySolidAngle, place(i));
+        let all: Vec<f64> = (0..n * n).into_par_iter().map(arrives).collect();
+        all.iter().sum::<f64>() / f64::from(n * n)
     }
 
     /// The root of the mean square error of an estimate by `samples` samples, relative to the exact value.
     pub fn error(&self, choose: LightSampling, samples: u32, exact: f64, rng: &mut Pcg) -> f64 {
-        let mut estimate = || {
-            let sum: f64 = (0..samples)
-                .map(|_| self.arrives(choose, vec2(rng.random(), rng.random())))
-                .sum();
-            sum / f64::from(samples)
+        // Drawn one after the other, and then used by all processors: the points do not depend on their number.
+        let draw = |_| vec2(rng.random(), rng.random());
+        let points: Vec<Vec2> = (0..REPEATS * samples).map(draw).collect();
+        let square = |points: &[Vec2]| {
+            let sum: f64 = points.iter().map(|&u| self.arrives(choose, u)).sum();
+            (sum / f64::from(samples) / exact - 1.0).powi(2)
         };
-        let squares: f64 = (0..REPEATS)
-            .map(|_| (estimate() / exact - 1.0).powi(2))
-            .sum();
-        (squares / f64::from(REPEATS)).sqrt()
+        let squares = points.par_chunks(samples as usize).map(square);
+        // A sum in another order would be rounded otherwise.
+        let squares: Vec<f64> = squares.collect();
+        (squares.iter().sum::<f64>() / f64::from(REPEATS)).sqrt()
     }
 }
 

@@ -1,8 +1,8 @@
 //! The figure of rays that pass a black hole at many distances.
 
+use super::simplified::simplified;
 use crate::kit::figure::{CENTRE, Canvas, Figure, coloured, figure, write};
 use crate::kit::palette::{BLUE, INK, VERMILION};
-use crate::kit::simplified::simplified;
 use crate::kit::sketch::label;
 use crate::kit::stage::Drawn;
 use glam::{DVec2, DVec3, dvec2, dvec3};

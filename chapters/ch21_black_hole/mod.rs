@@ -8,6 +8,7 @@
 mod bent_rays;
 pub mod deflection_plot;
 mod hole_shadows;
+mod simplified;
 pub mod starry_sky;
 mod straight_hole;
 

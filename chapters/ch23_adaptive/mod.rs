@@ -3,11 +3,13 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
+pub mod adaptive_gain;
+
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
-use crate::lab::adaptive_gain::{map, measure, outcome, spent};
 use crate::lab::plot::Plot as _;
+use adaptive_gain::{map, measure, outcome, spent};
 use clap::Args;
 use glam::Vec2;
 use rand::Rng;

@@ -19,7 +19,6 @@ pub mod plate;
 pub mod rate;
 pub mod say;
 pub mod sheet;
-pub mod simplified;
 pub mod sketch;
 pub mod stage;
 pub mod terminal;

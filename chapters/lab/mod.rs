@@ -1,6 +1,5 @@
 //! The sampling lab: measurements of a sampling pattern, and figures that show them.
 
-pub mod adaptive_gain;
 pub mod area;
 pub mod blue_noise;
 pub mod discrepancy;

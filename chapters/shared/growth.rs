@@ -5,7 +5,7 @@ use crate::kit::chart::Chart;
 use crate::kit::figure::{Figure, LEFT};
 use crate::kit::numbers::grouped;
 use crate::kit::palette::{BLUE, INK, VERMILION};
-use crate::shared::law::{Reach, mean_tests};
+use crate::shared::law::{Reach, at_sizes};
 use plotters::prelude::{Color, RGBColor};
 use raybook::accel::{bvh::Bvh, grid::Grid};
 
@@ -15,10 +15,11 @@ use raybook::accel::{bvh::Bvh, grid::Grid};
 /// What plotters reports.
 pub fn list_and_tree() -> Figure {
     let sizes = [100, 300, 1000, 3000, 10_000, 30_000, 100_000, 400_000];
-    let tree = sizes.map(|n| {
-        let tests = mean_tests(n, Reach::Inside, Bvh::new);
-        (f64::from(n), tests[0] + tests[1])
-    });
+    let tree = at_sizes(&sizes, Reach::Inside, Bvh::new);
+    let tree: Vec<_> = tree
+        .iter()
+        .map(|(n, tests)| (*n, tests[0] + tests[1]))
+        .collect();
     let list = sizes.map(|n| (f64::from(n), f64::from(n)));
     let curves = [
         Curve::of(&list, "list: N", VERMILION, (12_000.0, 32_000.0)),
@@ -33,11 +34,13 @@ pub fn list_and_tree() -> Figure {
 /// What plotters reports.
 pub fn grid() -> Figure {
     let sizes = [100, 1000, 10_000, 100_000, 1_000_000];
-    let counts = sizes.map(|n| {
-        let tests = mean_tests(n, Reach::Across, Grid::of_facets);
-        (f64::from(n), tests)
+    let counts = at_sizes(&sizes, Reach::Across, Grid::of_facets);
+    let [cells, tests] = [0, 1].map(|i| {
+        counts
+            .iter()
+            .map(|(n, count)| (*n, count[i]))
+            .collect::<Vec<_>>()
     });
-    let [cells, tests] = [0, 1].map(|i| counts.map(|(n, count)| (n, count[i])));
     // Between the two curves, so that both can be compared with the law.
     let between = (cells[0].1 * tests[0].1).sqrt();
     let cube_root = sizes

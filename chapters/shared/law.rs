@@ -6,6 +6,7 @@ use raybook::accel::{Accel, Tests};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
+use rayon::prelude::*;
 
 /// How far the rays of a question go in a soup of N triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -16,6 +17,16 @@ pub enum Reach {
     Inside,
     /// From outside through a soup of triangles a twentieth as large, so that most rays leave it at the other end.
     Across,
+}
+
+/// Beside each size the counts of [`mean_tests`]; the sizes are worked on side by side.
+pub fn at_sizes<A: Accel<Facet>>(
+    sizes: &[u32],
+    reach: Reach,
+    build: impl Fn(Vec<Facet>) -> A + Sync,
+) -> Vec<(f64, [f64; 2])> {
+    let at = |&n: &u32| (f64::from(n), mean_tests(n, reach, &build));
+    sizes.par_iter().map(at).collect()
 }
 
 /// The mean number of boxes and of shapes that a ray tests, in a soup of n triangles.
@@ -32,8 +43,7 @@ pub fn mean_tests<A: Accel<Facet>>(
     });
     let mut rng = pcg::stream(2, u64::from(n));
     let mut point = || Vec3::from_array(std::array::from_fn(|_| rng.random::<f32>()));
-    let mut tests = Tests::default();
-    for _ in 0..RAYS {
+    let mut draw = || {
         let (from, to) = (point(), point());
         let toward = Dir3::new_or(to - from, Dir3::X);
         let (origin, length) = match reach {
@@ -41,10 +51,18 @@ pub fn mean_tests<A: Accel<Facet>>(
             Reach::Inside => (from, f32::INFINITY),
             Reach::Across => (from - 2.0 * *toward, f32::INFINITY),
         };
-        let ray = Ray::new(origin, toward);
-        accel.closest_counted(&ray, Interval::new(0.0, length), &mut tests);
-    }
-    [tests.boxes, tests.shapes].map(|count| count as f64 / f64::from(RAYS))
+        (Ray::new(origin, toward), Interval::new(0.0, length))
+    };
+    // Drawn one after the other, and then followed by all processors: the rays do not depend on their number.
+    let rays: Vec<_> = (0..RAYS).map(|_| draw()).collect();
+    let count = |(ray, within): &(Ray, Interval)| {
+        let mut tests = Tests::default();
+        accel.closest_counted(ray, *within, &mut tests);
+        [tests.boxes, tests.shapes]
+    };
+    let counts = rays.par_iter().map(count);
+    let counts = counts.reduce(|| [0; 2], |[a, b], [c, d]| [a + c, b + d]);
+    counts.map(|count| count as f64 / f64::from(RAYS))
 }
 
 /// A twentieth of a triangle, where it was.

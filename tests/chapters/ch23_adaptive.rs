@@ -10,7 +10,7 @@ use raybook::render::film::Film;
 use raybook::render::needs_more::StoppingRule;
 use raybook::render::supersample::supersample;
 use raybook::sample::pattern::find;
-use raybook_chapters::lab::adaptive_gain::{outcome, rms};
+use raybook_chapters::ch23_adaptive::adaptive_gain::{outcome, rms};
 use raybook_chapters::lab::error_plot::{Curve, ErrorPlot};
 use raybook_chapters::lab::errors::Error;
 use raybook_chapters::lab::pens::pen;

@@ -32,7 +32,8 @@ fn every_chapter_draws_its_golden_picture_on_one_thread_and_on_two() {
     check_all(LESSONS, draws_its_golden_picture);
 }
 
-/// A sample that is drawn in seconds, also unoptimised: a light, a mesh in a hierarchy, paths, a lens.
+/// A sample that is drawn in seconds, also unoptimised: spheres, triangles, Phong's reflection of lamps, shadows. Paths, lenses and
+/// hierarchies take longer, and are in the test of all chapters only.
 #[test]
 fn a_sample_of_chapters_draws_its_golden_pictures() {
     let sample = ["ch03_sphere", "ch06_triangle", "ch12_phong", "ch15_shadows"];

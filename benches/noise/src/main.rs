@@ -2,11 +2,13 @@
 //!
 //! Each program draws each picture with few samples and with many more, its reference. The error is the RMS difference of the
 //! two as a display shows them. Scenes have changed between the commits, so each picture is compared with the reference of its
-//! own program. The time is the processor time of all threads until the picture is written, less that of a picture of 8 pixels.
+//! own program. The time is the processor time of all threads until the picture is written, less that of a picture of 8 pixels. Each
+//! picture is drawn with several seeds: its time is the median of theirs, and the spread of the errors tells what is chance.
 
 use clap::Parser;
 use raybook::image::{Image, file, rms::rms};
 use raybook::store;
+use raybook_common::machine::{comments, processor};
 use std::error::Error;
 use std::fmt::Write;
 use std::path::{Path, PathBuf};
@@ -38,28 +40,47 @@ const THEN: u32 = 16;
 /// reference's.
 const NOW: u32 = 4;
 
-/// The seed of the reference; that of the others is 1.
+/// The seeds of the pictures.
+const SEEDS: [u32; 3] = [1, 2, 3];
+
+/// The seed of the reference.
 const REFERENCE_SEED: u32 = 1000;
 
-/// The time, in processor-seconds, and the error of a picture.
+/// Pictures with one number of samples: the median of their times, in processor-seconds, and the error of each seed's.
 #[derive(Clone, Copy)]
 struct Point {
     time: f64,
-    error: f64,
+    errors: [f64; SEEDS.len()],
 }
 
 fn main() -> Result<(), Box<dyn Error>> {
     let options = Options::parse();
-    let mut csv = String::from("chapter,commit,samples,seconds,error\n");
-    println!("chapter, seconds, error then, error now, ratio");
+    let how = [
+        processor(),
+        format!(
+            "pictures {} pixels wide, of {} seeds each: error is the median, least and most are of them all; references of {} samples per pixel",
+            options.width,
+            SEEDS.len(),
+            options.reference
+        ),
+    ];
+    let mut csv = comments(&how) + "chapter,commit,samples,seconds,error,error_least,error_most\n";
+    println!(
+        "{}chapter, seconds, error then, error now, ratio",
+        comments(&how)
+    );
     for chapter in &options.chapters {
         let then = Subject::new("then", chapter, &options)?;
         let now = Subject::new("now", chapter, &options)?;
         let mut record = |subject: &Subject, samples| {
-            let Point { time, error } = subject.point(samples)?;
-            let name = subject.name;
-            writeln!(csv, "{chapter},{name},{samples},{time:.2},{error:.5}")?;
-            Ok::<_, Box<dyn Error>>(Point { time, error })
+            let point = subject.point(samples)?;
+            let (name, time) = (subject.name, point.time);
+            let [least, error, most] = sorted(point.errors);
+            writeln!(
+                csv,
+                "{chapter},{name},{samples},{time:.2},{error:.5},{least:.5},{most:.5}"
+            )?;
+            Ok::<_, Box<dyn Error>>(point)
         };
         let then = record(&then, THEN)?;
         let mut curve = vec![record(&now, NOW)?];
@@ -71,12 +92,18 @@ fn main() -> Result<(), Box<dyn Error>> {
             }
             curve.push(record(&now, samples)?);
         }
-        let now = error_at(&curve, then.time);
-        let ratio = now / then.error;
+        let now = errors_at(&curve, then.time);
+        let ratios = std::array::from_fn(|seed| now[seed] / then.errors[seed]);
+        let ([_, before, _], [_, now, _]) = (sorted(then.errors), sorted(now));
+        let [least, ratio, most] = sorted(ratios);
         println!(
-            "{chapter}, {:.2}, {:.4}, {now:.4}, {ratio:.2}",
-            then.time, then.error
+            "{chapter}, {:.2}, {before:.4}, {now:.4}, {ratio:.2} [{least:.2}–{most:.2}]",
+            then.time
         );
+        writeln!(
+            csv,
+            "# {chapter}: at equal time, {ratio:.2} [{least:.2}–{most:.2}] of the error then"
+        )?;
         store::write(&options.folder.join("noise.csv"), csv.as_bytes())?;
     }
     Ok(())
@@ -111,24 +138,34 @@ impl Subject {
     }
 
     fn point(&self, samples: u32) -> Result<Point, Box<dyn Error>> {
-        let (time, picture) = draw(&self.program, self.width, samples, 1)?;
-        Ok(Point {
-            time: (time - self.start).max(TICK),
-            error: rms(&self.reference, &picture, |_, _| true).into(),
-        })
+        let (mut times, mut errors) = ([0.0; SEEDS.len()], [0.0; SEEDS.len()]);
+        for (i, seed) in SEEDS.into_iter().enumerate() {
+            let (time, picture) = draw(&self.program, self.width, samples, seed)?;
+            times[i] = (time - self.start).max(TICK);
+            errors[i] = rms(&self.reference, &picture, |_, _| true).into();
+        }
+        let [_, time, _] = sorted(times);
+        Ok(Point { time, errors })
     }
 }
 
-/// The error after `time`, in processor-seconds: on the straight line through the curve's last two points, both axes logarithmic; that
-/// of the last point, if its own time is less.
-fn error_at(curve: &[Point], time: f64) -> f64 {
+/// The least, the median and the greatest.
+fn sorted(mut numbers: [f64; SEEDS.len()]) -> [f64; SEEDS.len()] {
+    numbers.sort_by(f64::total_cmp);
+    numbers
+}
+
+/// The error of each seed after `time`, in processor-seconds: on the straight line through the curve's last two points, both axes
+/// logarithmic; that of the last point, if its own time is less.
+fn errors_at(curve: &[Point], time: f64) -> [f64; SEEDS.len()] {
     match *curve {
         [.., a, b] if a.time < b.time => {
             let along = (time / a.time).ln() / (b.time / a.time).ln();
-            a.error * (b.error / a.error).powf(along.clamp(0.0, 1.0))
+            let ratio = |seed: usize| b.errors[seed] / a.errors[seed];
+            std::array::from_fn(|seed| a.errors[seed] * ratio(seed).powf(along.clamp(0.0, 1.0)))
         }
-        [.., b] => b.error,
-        [] => f64::NAN,
+        [.., b] => b.errors,
+        [] => [f64::NAN; SEEDS.len()],
     }
 }
 

@@ -76,12 +76,12 @@ pub(crate) fn interior(seed: u64) -> Result<Mesh, MeshError> {
     mesh(all)
 }
 
-/// A ball of hair: 10,000 curls of a hundred triangles each, from its middle to its skin.
+/// A ball of hair: a million segments of two triangles, in 20,000 curls from its middle to its skin.
 ///
 /// # Errors
 /// None, for the numbers are within the domain.
 pub(crate) fn hair_ball(seed: u64) -> Result<Mesh, MeshError> {
-    const CURLS: usize = 10_000;
+    const CURLS: usize = 20_000;
     const STEPS: usize = 50;
     const WIDTH: f32 = 0.002;
     let mut rng = pcg::stream(seed, 0);

@@ -16,7 +16,9 @@ const PANEL: i32 = 440;
 const GAP: i32 = 40;
 const ROW: i32 = 84;
 const HEAD: i32 = 190;
-const FOOT: i32 = 200;
+const FOOT: i32 = 320;
+/// From one line below the legend, about the machine, to the next.
+const LINE: i32 = 36;
 
 /// The ratios that a panel shows, from its left to its right; what is slower stands at its left edge.
 const LEAST: f64 = 0.02;
@@ -52,7 +54,7 @@ enum Form {
 ///
 /// # Errors
 /// If it cannot be drawn or written.
-pub(crate) fn write(path: &Path, rows: &[Row]) -> Drawn {
+pub(crate) fn write(path: &Path, rows: &[Row], how: &[String]) -> Drawn {
     let rows: Vec<&Row> = rows
         .iter()
         .filter(|row| row.structure != "Embree")
@@ -95,7 +97,12 @@ pub(crate) fn write(path: &Path, rows: &[Row]) -> Drawn {
             let left = NAMES + (PANEL + GAP) * i;
             panel(canvas, left, column, &structures, &rows)?;
         }
-        legend(canvas, &rows, (NAMES, height - 54))
+        legend(canvas, &rows, (NAMES, height - FOOT + 146))?;
+        for (i, line) in (0..).zip(how) {
+            let at = (NAMES, height - FOOT + 216 + LINE * i);
+            figure::write(canvas, line, at, text(26).pos(LEFT))?;
+        }
+        Ok(())
     })?;
     Ok(file::save(path, &image.pixels)?)
 }

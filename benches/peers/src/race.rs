@@ -31,6 +31,11 @@ pub(crate) struct Lap {
 pub(crate) struct Ratios(Vec<f64>);
 
 impl Ratios {
+    /// The ratios of another one's times to this one's, round by round.
+    pub(crate) fn of(theirs: &[f64], ours: &[f64]) -> Self {
+        Self(theirs.iter().zip(ours).map(|(t, o)| t / o).collect())
+    }
+
     /// The median of the rounds.
     pub(crate) fn median(&self) -> f64 {
         median(self.0.clone())

@@ -2,8 +2,9 @@
 
 use crate::construction::Built;
 use crate::race::{Lap, Ratios};
-use crate::racer::{Entry, Query};
+use crate::racer::Query;
 use crate::racers::INSTANCES;
+use raybook_common::machine::comments;
 use std::fmt::Write;
 use std::io;
 use std::path::Path;
@@ -20,8 +21,10 @@ pub(crate) struct Row {
     pub ours: bool,
     /// What came of it.
     pub lap: Lap,
-    /// Seconds to build it, with 1 thread and with 2.
+    /// Seconds to build it, with 1 thread and with 2: the best of the rounds.
     pub build: [f64; 2],
+    /// Embree's seconds divided by these, in each round.
+    pub build_ratios: [Ratios; 2],
     /// Its memory.
     pub bytes_per_triangle: f64,
 }
@@ -31,17 +34,18 @@ impl Row {
     pub(crate) fn new(
         mesh: &'static str,
         set: &'static str,
-        entry: &Entry,
         built: &Built,
+        embree: &Built,
         lap: Lap,
     ) -> Self {
         Self {
             mesh,
             set,
-            structure: entry.name,
-            ours: entry.ours,
+            structure: built.entry.name,
+            ours: built.entry.ours,
             lap,
-            build: built.seconds,
+            build: built.best(),
+            build_ratios: built.ratios(embree),
             bytes_per_triangle: built.bytes_per_triangle,
         }
     }
@@ -143,18 +147,15 @@ pub(crate) fn geometric_mean(numbers: impl Iterator<Item = f64>) -> f64 {
 }
 
 /// `ratios.csv`, where `build_s` is with one thread; `builds.csv` with both; `instances.csv`, the ratios of two levels to one;
-/// and `how.txt`.
+/// and `how.txt`, which is also the head of each table.
 ///
 /// # Errors
 /// If a file cannot be written.
 pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<()> {
-    let mut ratios = how
-        .iter()
-        .fold(String::new(), |text, line| text + "# " + line + "\n");
-    ratios.push_str(
-        "mesh,set,query,structure,ratio,ratio_10,ratio_90,agree,build_s,bytes_per_triangle\n",
-    );
-    let mut builds = vec!["mesh,structure,threads,build_s,bytes_per_triangle".to_owned()];
+    let head = |columns: &str| comments(how) + columns + "\n";
+    let mut ratios =
+        head("mesh,set,query,structure,ratio,ratio_10,ratio_90,agree,build_s,bytes_per_triangle");
+    let mut builds = Vec::new();
     for row in rows {
         let Row {
             mesh,
@@ -162,6 +163,7 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             structure,
             lap,
             build,
+            build_ratios,
             bytes_per_triangle: bytes,
             ..
         } = row;
@@ -172,14 +174,19 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             ratios,
             "{mesh},{set},{query},{structure},{ratio:.4},{low:.4},{high:.4},{agree:.6},{alone:.4},{bytes:.1}"
         );
-        for (threads, seconds) in (1..).zip(build) {
-            let line = format!("{mesh},{structure},{threads},{seconds:.4},{bytes:.1}");
+        for (threads, (seconds, ratios)) in (1..).zip(build.iter().zip(build_ratios)) {
+            let (ratio, [low, high]) = (ratios.median(), ratios.spread());
+            let line = format!(
+                "{mesh},{structure},{threads},{seconds:.4},{ratio:.3},{low:.3},{high:.3},{bytes:.1}\n"
+            );
             if !builds.contains(&line) {
                 builds.push(line);
             }
         }
     }
-    let mut instances = String::from("mesh,set,structure,ratio,ratio_10,ratio_90\n");
+    let builds = head("mesh,structure,threads,build_s,ratio,ratio_10,ratio_90,bytes_per_triangle")
+        + &builds.concat();
+    let mut instances = head("mesh,set,structure,ratio,ratio_10,ratio_90");
     for (row, ratios) in two_levels(rows) {
         let Row {
             mesh,
@@ -195,6 +202,6 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
     }
     std::fs::write(folder.join("ratios.csv"), ratios)?;
     std::fs::write(folder.join("instances.csv"), instances)?;
-    std::fs::write(folder.join("builds.csv"), builds.join("\n") + "\n")?;
+    std::fs::write(folder.join("builds.csv"), builds)?;
     std::fs::write(folder.join("how.txt"), how.join("\n") + "\n")
 }

@@ -7,6 +7,7 @@
 )]
 
 pub mod counting;
+pub mod machine;
 pub mod noisy;
 pub mod oracle;
 pub mod polygon;

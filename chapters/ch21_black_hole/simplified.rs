@@ -6,7 +6,7 @@ use glam::DVec2;
 const NEAR: f64 = 0.5;
 
 /// The corners of a line that is near all points, from the first point to the last one (Ramer 1972; Douglas and Peucker 1973).
-pub fn simplified(points: &[DVec2]) -> Vec<DVec2> {
+pub(super) fn simplified(points: &[DVec2]) -> Vec<DVec2> {
     let mut corners: Vec<_> = points.first().copied().into_iter().collect();
     add_corners(points, &mut corners);
     corners

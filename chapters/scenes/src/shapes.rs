@@ -17,7 +17,11 @@ use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thing>, TextError> {
+/// The things of all tables, and remarks about what their files describe and the things do not have.
+pub(crate) fn things(
+    all: Vec<Fields>,
+    materials: &Materials,
+) -> Result<(Vec<Thing>, Vec<String>), TextError> {
     let (mut things, mut loaded) = (Vec::new(), Loaded::default());
     for fields in all {
         let (made, placing) = made(fields, materials, &mut loaded)?;
@@ -27,7 +31,7 @@ pub(crate) fn things(all: Vec<Fields>, materials: &Materials) -> Result<Vec<Thin
         };
         things.extend(made.into_iter().map(place));
     }
-    Ok(things)
+    Ok((things, loaded.remarks))
 }
 
 /// What has been loaded for a shape, and is shared by all further shapes that need the same.
@@ -36,6 +40,7 @@ struct Loaded {
     meshes: HashMap<(Source, Look), Arc<dyn Shape>>,
     models: HashMap<PathBuf, Vec<Thing>>,
     normals: HashMap<PathBuf, Arc<NormalMap>>,
+    remarks: Vec<String>,
 }
 
 /// Where a mesh comes from, if several shapes may share it.
@@ -181,8 +186,9 @@ impl Loaded {
         if let Some(things) = self.models.get(&path) {
             return Ok(things.clone());
         }
-        let things = model::load(&path).map_err(|error| fields.wrong("file", error.to_string()))?;
-        Ok(self.models.entry(path).or_insert(things).clone())
+        let model = model::load(&path).map_err(|error| fields.wrong("file", error.to_string()))?;
+        self.remarks.extend(model.remarks);
+        Ok(self.models.entry(path).or_insert(model.things).clone())
     }
 
     /// The mesh with the look that the table gives it; `load` is called for the first of equal meshes.

@@ -184,8 +184,8 @@ fn direct_light_is_the_librarys_local_illumination() {
         let text = format!(
             "ambient = 0.1\n{CAMERA}[integrator]\n{integrator}\n\
             [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 1\nmaterial = {{ kind = \"phong\", colour = 0.5 }}\n\
-            [[shapes]]\nkind = \"sphere\"\ncenter_m = [2, 0, 0]\nradius_m = 0.5\nmaterial = {{ kind = \"mirror\" }}\n\
-            [[lights]]\nkind = \"sphere\"\ncenter_m = [9, 0, 0]\nradius_m = 1\nradiance = 50\n\
+            [[shapes]]\nkind = \"sphere\"\ncenter_m = [1.6, 0, 1.07]\nradius_m = 0.4\nmaterial = {{ kind = \"mirror\" }}\n\
+            [[lights]]\nkind = \"sphere\"\ncenter_m = [9, 0, 6]\nradius_m = 1\nradiance = 50\n\
             [backdrop]\nhorizon = 0.3\nbelow = 0.3\n"
         );
         let shot = parse(&text).unwrap_or_else(|error| panic!("{error}"));

@@ -20,11 +20,10 @@ fn any_material(random: &mut pcg::Pcg) -> Arc<dyn Material> {
 
 fn main() -> Result<(), Box<dyn Error>> {
     let ball = |x: f32, z: f32, radius: f32| Sphere::new(vec3(x, radius, z), radius);
-    let albedo = Rgb::gray(0.4);
-    let red = Plastic::new(Rgb::new(0.6, 0.08, 0.03), 1.5);
+    let (albedo, red) = (Rgb::gray(0.4), Rgb::new(0.6, 0.08, 0.03));
     let mut things = vec![
         Thing::new(Plane::through(Vec3::ZERO, Dir3::Y), Lambert { albedo }),
-        Thing::new(ball(-3.2, -0.6, 1.0), red),
+        Thing::new(ball(-3.2, -0.6, 1.0), Plastic::new(red, 1.5)),
         Thing::new(ball(0.0, 0.0, 1.0), Glass::of(Medium::GLASS)),
         Thing::new(ball(3.2, 0.6, 1.0), Conductor(Metal::GOLD)),
     ];
@@ -50,7 +49,11 @@ fn main() -> Result<(), Box<dyn Error>> {
     let (eye, middle) = (vec3(2.5, 2.2, 12.0), vec3(0.0, 0.6, 0.0));
     let view = Pinhole::look_at(eye, middle, Vec3::Y, focal_length(24.0), film.aspect())?;
     let camera = ThinLens::with_view(&view, 0.15, 11.8, Aperture::Round)?;
-    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
+    let path = Clamped {
+        integrator: Path::WHOLE,
+        brightest: 3.0, // brighter samples are rare: they would be white dots
+    };
+    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
     file::save("many_balls.png".as_ref(), &picture.map(tone::aces))?;
     Ok(())
 }

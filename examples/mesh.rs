@@ -10,24 +10,15 @@ fn main() -> Result<(), Box<dyn Error>> {
         None => teapot::mesh(12),
     };
     let (middle, size) = (mesh.bounds().center(), mesh.bounds().size().length());
-    let white = Lambert {
-        albedo: Rgb::gray(0.75),
-    };
-    let scene = Scene::new(
-        vec![Thing::new(Meshed::new(mesh, WideBvh::new), white)],
-        vec![],
-    )
-    .surrounded_by(Rgb::BLACK, |ray| Rgb::gray(0.6 + 0.4 * ray.direction.y));
+    let albedo = Rgb::gray(0.75);
+    let white = Thing::new(Meshed::new(mesh, WideBvh::new), Lambert { albedo });
+    let sky = |ray: &Ray| Rgb::gray(0.6 + 0.4 * ray.direction.y);
+    let scene = Scene::new(vec![white], vec![]).surrounded_by(Rgb::BLACK, sky);
 
     let film = Film::new(480, 360, 32);
     let eye = middle + size * vec3(0.4, 0.35, 0.9);
     let camera = Pinhole::look_at(eye, middle, Vec3::Y, 0.035, film.aspect())?;
-    let path = Path {
-        depth: 4,
-        roulette_after: 3,
-        strategy: Strategy::Surface,
-    };
-    let picture = film.render(&camera, &Sampler::Even, &path, &scene);
+    let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
     file::save("mesh.png".as_ref(), &picture)?;
     println!("wrote mesh.png");
     Ok(())

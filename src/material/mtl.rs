@@ -14,8 +14,10 @@ use crate::material::glass::{Glass, Medium};
 use crate::material::mirror::Mirror;
 use crate::material::modified_phong::ModifiedPhong;
 use crate::material::polished::Polished;
-use crate::material::{Material, glowing::Glowing, image_texture::ImageTexture, lambert::Lambert};
+use crate::material::{Material, glowing::Glowing, lambert::Lambert, texture::Texture};
+use crate::shape::Surface;
 use crate::shape::word::{self, Reason, Word, Wrong};
+use std::collections::BTreeSet;
 use std::sync::Arc;
 
 /// A material as the file describes it.
@@ -39,9 +41,30 @@ pub struct Mtl {
     pub model: u32,
     /// The file of the picture that `diffuse` is multiplied by (`map_Kd`).
     pub diffuse_map: Option<String>,
+    /// The file of the picture that `specular` is multiplied by (`map_Ks`).
+    pub specular_map: Option<String>,
     /// The file of the normal map (`norm`).
     pub normal_map: Option<String>,
+    /// Keywords of the format that describe what this library does not have, such as `map_Bump`: a picture of heights.
+    pub unused: BTreeSet<&'static str>,
 }
+
+/// The pictures of a material.
+#[derive(Clone, Debug, Default)]
+pub struct Maps {
+    /// The picture of `diffuse_map`.
+    pub diffuse: Option<Arc<MipMap>>,
+    /// The picture of `specular_map`.
+    pub specular: Option<Arc<MipMap>>,
+}
+
+/// The keywords of [`Mtl::unused`]: bumps and displacement by heights, maps of other properties, and the extension for physically
+/// based rendering.
+const UNUSED: [&str; 27] = [
+    "map_Bump", "map_bump", "bump", "disp", "decal", "refl", "map_refl", "map_d", "map_Tr",
+    "map_Ns", "map_Ke", "map_Ni", "Tf", "Pr", "map_Pr", "Pm", "map_Pm", "Ps", "map_Ps", "Pc",
+    "Pcr", "aniso", "anisor", "map_Pc", "map_RMA", "map_ORM", "map_Disp",
+];
 
 /// What a colour (`Kd`, `Ks`, `Ke`) needs, for error messages.
 const COLOUR: &str = "1 number, or 3 for red, green and blue";
@@ -58,16 +81,18 @@ impl Mtl {
             opacity: 1.0,
             model: 2,
             diffuse_map: None,
+            specular_map: None,
             normal_map: None,
+            unused: BTreeSet::new(),
         }
     }
 
-    /// The material; `map` is the picture of `diffuse_map`, if there is one.
+    /// The material; `maps` are the pictures that it names.
     ///
     /// A material with `Ke` above 0 only emits light. A transparent one (`d` < 0.99, or `illum` 4, 6, 7 or 9) is smooth glass.
     /// `illum` 3 and 5 are a mirror over a matte ground. `illum` 2 with a `Ks` above 0 is matte with a highlight. All others are
     /// matte.
-    pub fn material(&self, map: Option<Arc<MipMap>>) -> Arc<dyn Material> {
+    pub fn material(&self, maps: Maps) -> Arc<dyn Material> {
         if self.emitted != Rgb::BLACK {
             return Arc::new(Glowing {
                 radiance: self.emitted,
@@ -76,39 +101,64 @@ impl Mtl {
         if self.opacity < 0.99 || matches!(self.model, 4 | 6 | 7 | 9) {
             return Arc::new(Glass::of(Medium::clear(self.index)));
         }
-        let (specular, diffuse, exponent) = (self.specular, self.diffuse, self.exponent);
+        let exponent = self.exponent;
         match self.model {
-            3 | 5 => coloured(map, diffuse, move |albedo| Polished {
+            3 | 5 => self.coloured(maps, |diffuse, specular| Polished {
                 mirror: Mirror { share: specular },
-                below: Lambert { albedo },
+                below: Lambert { albedo: diffuse },
             }),
-            2 if specular != Rgb::BLACK => coloured(map, diffuse, move |albedo| ModifiedPhong {
-                // So no more light leaves than arrives.
-                diffuse: albedo * (1.0 - specular.max_channel()),
-                specular,
-                exponent,
-            }),
-            _ => coloured(map, diffuse, |albedo| Lambert { albedo }),
+            2 if self.specular != Rgb::BLACK => {
+                self.coloured(maps, move |diffuse, specular| ModifiedPhong {
+                    // So no more light leaves than arrives.
+                    diffuse: diffuse * (1.0 - specular.max_channel()),
+                    specular,
+                    exponent,
+                })
+            }
+            _ => self.coloured(maps, |diffuse, _| Lambert { albedo: diffuse }),
         }
     }
-}
 
-/// A material of one colour, or of the colours of a picture times this colour.
-fn coloured<M: Material + 'static>(
-    map: Option<Arc<MipMap>>,
-    colour: Rgb,
-    make: impl Fn(Rgb) -> M + Send + Sync + 'static,
-) -> Arc<dyn Material> {
-    let share = |v: f32| v.clamp(0.0, 1.0);
-    match map {
-        Some(map) => Arc::new(ImageTexture::new(map, move |texel: Rgb| {
-            make((texel * colour).map(share))
-        })),
-        None => Arc::new(make(colour)),
+    /// A material of the colours `diffuse` and `specular`, times the colours of the pictures if there are any.
+    fn coloured<M: Material + 'static>(
+        &self,
+        maps: Maps,
+        make: impl Fn(Rgb, Rgb) -> M + Send + Sync + 'static,
+    ) -> Arc<dyn Material> {
+        let (diffuse, specular) = (self.diffuse, self.specular);
+        if maps.diffuse.is_none() && maps.specular.is_none() {
+            return Arc::new(make(diffuse, specular));
+        }
+        Arc::new(Mapped {
+            diffuse: (diffuse, maps.diffuse),
+            specular: (specular, maps.specular),
+            make,
+        })
     }
 }
 
-/// The materials of an MTL text. Keywords that are not in [`Mtl`] are ignored. Numbers are clamped: shares to [0, 1], `Ns` to
+/// A material of two colours, each with the picture that it is multiplied by, if there is one.
+struct Mapped<F> {
+    diffuse: (Rgb, Option<Arc<MipMap>>),
+    specular: (Rgb, Option<Arc<MipMap>>),
+    make: F,
+}
+
+impl<M: Material, F: Fn(Rgb, Rgb) -> M + Send + Sync> Texture for Mapped<F> {
+    type Material = M;
+
+    fn at(&self, surface: &Surface) -> M {
+        let colour = |(colour, map): &(Rgb, Option<Arc<MipMap>>)| match map {
+            Some(map) => (map.at(surface.texture, surface.texture_width) * *colour)
+                .map(|v| v.clamp(0.0, 1.0)),
+            None => *colour,
+        };
+        (self.make)(colour(&self.diffuse), colour(&self.specular))
+    }
+}
+
+/// The materials of an MTL text. Keywords that are not in [`Mtl`] are ignored; [`Mtl::unused`] has those that would change the
+/// picture. Numbers are clamped: shares to [0, 1], `Ns` to
 /// [0, 10⁶], `Ni` to [1, 4], and a negative `Ke` to 0.
 ///
 /// # Errors
@@ -121,9 +171,11 @@ pub fn parse(text: &str) -> Result<Vec<Mtl>, Wrong> {
             continue;
         }
         let known = [
-            "Kd", "Ks", "Ns", "Ke", "Ni", "d", "Tr", "illum", "map_Kd", "norm",
+            "Kd", "Ks", "Ns", "Ke", "Ni", "d", "Tr", "illum", "map_Kd", "map_Ks", "norm",
         ];
-        if !known.contains(&words[0].text) {
+        let is_word = |word: &&'static str| *word == words[0].text;
+        let unused = UNUSED.into_iter().find(is_word);
+        if !known.contains(&words[0].text) && unused.is_none() {
             continue;
         }
         let Some(mtl) = all.last_mut() else {
@@ -140,7 +192,9 @@ pub fn parse(text: &str) -> Result<Vec<Mtl>, Wrong> {
             "Tr" => mtl.opacity = 1.0 - share(one(&words, "a transparency (Tr)")?),
             "illum" => mtl.model = one(&words, "a model (illum)")? as u32,
             "map_Kd" => mtl.diffuse_map = Some(file(&words, "a picture (map_Kd)")?),
-            _ => mtl.normal_map = Some(file(&words, "a picture (norm)")?),
+            "map_Ks" => mtl.specular_map = Some(file(&words, "a picture (map_Ks)")?),
+            "norm" => mtl.normal_map = Some(file(&words, "a picture (norm)")?),
+            _ => mtl.unused.extend(unused),
         }
     }
     Ok(all)

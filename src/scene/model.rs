@@ -6,7 +6,7 @@
 //! let path = std::env::temp_dir().join(format!("raybook-{}.obj", std::process::id()));
 //! let corners = "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n";
 //! raybook::store::write(&path, format!("{corners}usemtl brick\nf 1 2 3\nusemtl roof\nf 1 3 4\n").as_bytes())?;
-//! assert_eq!(model::load(&path)?.len(), 2); // a thing for each material
+//! assert_eq!(model::load(&path)?.things.len(), 2); // a thing for each material
 //! std::fs::remove_file(&path)?;
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
@@ -14,7 +14,7 @@
 use crate::accel::{Meshed, wide_bvh::WideBvh};
 use crate::image::file::{self, FileError};
 use crate::image::{mip::MipMap, rgb::Rgb, tone};
-use crate::material::mtl::{self, Mtl};
+use crate::material::mtl::{self, Maps, Mtl};
 use crate::material::{Material, lambert::Lambert};
 use crate::scene::world::Thing;
 use crate::shape::mesh::Mesh;
@@ -22,7 +22,7 @@ use crate::shape::mesh_file::{self, LoadError};
 use crate::shape::normal_map::NormalMap;
 use crate::shape::word::Wrong;
 use crate::store::{self, StoreError};
-use std::collections::HashMap;
+use std::collections::{BTreeSet, HashMap};
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -69,6 +69,15 @@ fn known(names: &[String]) -> String {
     names.join(", ")
 }
 
+/// A model from a file.
+#[derive(Clone, Debug)]
+pub struct Model {
+    /// One thing for each material.
+    pub things: Vec<Thing>,
+    /// What the files describe and the things do not have, such as `map_Bump`: a sentence for each file of materials.
+    pub remarks: Vec<String>,
+}
+
 /// Reads a model: one thing for each material of an OBJ file. An STL or PLY file, and faces without a material, are light grey.
 ///
 /// The paths of files of materials, and of the pictures that they name, are relative to the file that names them. Pictures of
@@ -76,9 +85,9 @@ fn known(names: &[String]) -> String {
 ///
 /// # Errors
 /// If a file cannot be read or is wrong, or a material is missing.
-pub fn load(path: &Path) -> Result<Vec<Thing>, ModelError> {
+pub fn load(path: &Path) -> Result<Model, ModelError> {
     let parts = mesh_file::load_parts(path)?;
-    let mut materials = HashMap::new();
+    let (mut materials, mut remarks) = (HashMap::new(), Vec::new());
     let mut pictures = Pictures::default();
     for library in &parts.libraries {
         let file = beside(path, library);
@@ -88,6 +97,7 @@ pub fn load(path: &Path) -> Result<Vec<Thing>, ModelError> {
             path: file.clone(),
             wrong,
         })?;
+        remarks.extend(remark(&file, &described));
         for mtl in described {
             materials.insert(mtl.name.clone(), (mtl, file.clone()));
         }
@@ -110,7 +120,27 @@ pub fn load(path: &Path) -> Result<Vec<Thing>, ModelError> {
         };
         pictures.thing(part.mesh, mtl, file)
     });
-    things.collect()
+    Ok(Model {
+        things: things.collect::<Result<_, _>>()?,
+        remarks,
+    })
+}
+
+/// What a file of materials describes and this library does not have; `None` if there is nothing.
+fn remark(file: &Path, described: &[Mtl]) -> Option<String> {
+    let unused: BTreeSet<_> = described.iter().flat_map(|mtl| &mtl.unused).collect();
+    if unused.is_empty() {
+        return None;
+    }
+    let words: Vec<_> = unused.iter().map(|word| format!("`{word}`")).collect();
+    let is_of_heights = |word: &&&str| word.to_lowercase().ends_with("bump");
+    let hint = if unused.iter().any(is_of_heights) {
+        "; bumps must be a normal map, which `norm` names"
+    } else {
+        ""
+    };
+    let (file, words) = (file.display(), words.join(", "));
+    Some(format!("{file}: not used: {words}{hint}"))
 }
 
 fn thing(mesh: Mesh, material: Arc<dyn Material>) -> Thing {
@@ -134,15 +164,19 @@ struct Pictures {
 
 impl Pictures {
     fn thing(&mut self, mesh: Mesh, mtl: &Mtl, file: &Path) -> Result<Thing, ModelError> {
-        let colours = match &mtl.diffuse_map {
-            Some(name) => Some(self.colours(beside(file, name))?),
-            None => None,
+        let mut colours = |name: &Option<String>| match name {
+            Some(name) => self.colours(beside(file, name)).map(Some),
+            None => Ok(None),
+        };
+        let maps = Maps {
+            diffuse: colours(&mtl.diffuse_map)?,
+            specular: colours(&mtl.specular_map)?,
         };
         let mesh = match &mtl.normal_map {
             Some(name) => mesh.with_bumps(self.normals(beside(file, name))?),
             None => mesh,
         };
-        Ok(thing(mesh, mtl.material(colours)))
+        Ok(thing(mesh, mtl.material(maps)))
     }
 
     fn colours(&mut self, path: PathBuf) -> Result<Arc<MipMap>, ModelError> {

@@ -69,6 +69,26 @@ fn a_scene_file_becomes_a_picture_and_the_number_of_threads_is_no_matter() {
 }
 
 #[test]
+fn what_a_models_files_have_and_the_picture_has_not_is_remarked() {
+    let folder = folder(&format!(
+        "{SCENE}[[shapes]]\nkind = \"mesh\"\nfile = \"a.obj\"\n"
+    ));
+    for (name, text) in [
+        (
+            "a.obj",
+            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
+        ),
+        ("a.mtl", "newmtl a\nbump heights.png\n"),
+    ] {
+        fs::write(folder.path().join(name), text).expect("written");
+    }
+    let (code, said) = raybook(folder.path(), &["render", "scene.toml"]);
+    let remark =
+        "remark: a.mtl: not used: `bump`; bumps must be a normal map, which `norm` names\n";
+    assert!(code == 0 && said.contains(remark), "{code} {said}");
+}
+
+#[test]
 fn what_is_wrong_is_said_at_once_and_nothing_is_written() {
     let misspelt = SCENE.replace("radius_m", "radios_m");
     for (scene, arguments, part) in [

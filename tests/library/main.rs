@@ -28,6 +28,7 @@ mod denoise;
 mod domain;
 mod embree_recorded;
 mod even;
+mod examples;
 mod guides;
 mod laws;
 mod neighbours;

@@ -82,7 +82,7 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     ),
     (
         "[integrator]\nkind = \"paths\"\n",
-        "5:8: `paths` is none of `path`, `whitted`; did you mean `path`?",
+        "5:8: `paths` is none of `path`, `whitted`, `direct`; did you mean `path`?",
     ),
     (
         "[integrator]\ndepth = 3\n",

@@ -7,6 +7,8 @@ use raybook::image::file;
 use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::math::pcg;
 use raybook::prelude::*;
+use raybook::render::local::{Local, NO_SHADOWS, Visibility};
+use raybook::render::shadow;
 use raybook::sample::filter::Filter;
 use raybook::scene::cornell;
 use raybook_common::{project, rays::random_direction};
@@ -174,6 +176,40 @@ fn the_walls_and_the_lamp_of_cornells_box_are_the_librarys() {
             "{a:?}, not {b:?}"
         );
     }
+}
+
+#[test]
+fn direct_light_is_the_librarys_local_illumination() {
+    let with = |integrator: &str| {
+        let text = format!(
+            "ambient = 0.1\n{CAMERA}[integrator]\n{integrator}\n\
+            [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 1\nmaterial = {{ kind = \"phong\", colour = 0.5 }}\n\
+            [[shapes]]\nkind = \"sphere\"\ncenter_m = [1.6, 0, 1.07]\nradius_m = 0.4\nmaterial = {{ kind = \"mirror\" }}\n\
+            [[lights]]\nkind = \"sphere\"\ncenter_m = [9, 0, 6]\nradius_m = 1\nradiance = 50\n\
+            [backdrop]\nhorizon = 0.3\nbelow = 0.3\n"
+        );
+        let shot = parse(&text).unwrap_or_else(|error| panic!("{error}"));
+        (shot.render(&Film::new(32, 24, 4)), shot)
+    };
+    let [shadows, none] = [
+        ("light_samples = 3", 3, Some(shadow::lit as Visibility)),
+        ("shadows = false", 1, NO_SHADOWS),
+    ]
+    .map(|(fields, samples, arrives)| {
+        let (drawn, shot) = with(&format!("kind = \"direct\"\n{fields}"));
+        let local = Local { samples, arrives };
+        let film = Film::new(32, 24, 4);
+        let expected = film.render(&*shot.camera, &Sampler::Even, &local, &shot.scene);
+        assert!(drawn.same_bits(&expected), "{fields}");
+        drawn
+    });
+    let pairs = shadows.pixels().iter().zip(none.pixels());
+    let darker = pairs.filter(|(shadow, lit)| shadow.g < 0.5 * lit.g);
+    assert!(darker.count() > 2, "the mirror's shadow");
+    let mirror = (0..32).filter(|&x| shadows.at(x, 12) == Rgb::BLACK);
+    assert!(mirror.count() > 2, "the mirror is black");
+    let (whitted, _) = with("kind = \"whitted\"");
+    assert!((0..32).all(|x| whitted.at(x, 12) != Rgb::BLACK));
 }
 
 #[test]

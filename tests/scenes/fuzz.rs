@@ -21,10 +21,11 @@ fn gallery() -> Vec<String> {
     texts
 }
 
-/// Cameras that neither the gallery nor [`OTHERS`] has: a scene has one.
-const CAMERAS: [&str; 2] = [
+/// Cameras and integrators that neither the gallery nor [`OTHERS`] has: a scene has one.
+const CAMERAS: [&str; 3] = [
     "[camera]\nkind = \"panorama\"\nfrom_m = [0, 1, 4]\nto_m = [0, 0, 0]\n",
     "[camera]\nkind = \"fisheye\"\nfrom_m = [0, 1, 4]\nto_m = [0, 0, 0]\nprojection = \"equisolid\"\nview_degrees = 200\n",
+    "[camera]\nfrom_m = [0, 1, 4]\nto_m = [0, 0, 0]\n[integrator]\nkind = \"direct\"\nlight_samples = 2\n",
 ];
 
 /// What they look at.

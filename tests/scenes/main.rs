@@ -4,10 +4,15 @@ mod broken;
 mod drawn;
 mod fuzz;
 mod page;
+mod shared;
 
+use raybook_common::counting::Counting;
 use raybook_scenes::Shot;
 use raybook_scenes::wrong::TextError;
 use std::path::Path;
+
+#[global_allocator]
+static COUNTING: Counting = Counting;
 
 /// The scene of a text; meshes and pictures would be in the gallery.
 fn parse(text: &str) -> Result<Shot, TextError> {

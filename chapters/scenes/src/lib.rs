@@ -36,6 +36,8 @@ pub struct Shot {
     pub rendering: Rendering,
     /// The picture's size, samples and exposure.
     pub picture: Picture,
+    /// What files of the scene describe and the scene does not have.
+    pub remarks: Vec<String>,
 }
 
 impl fmt::Debug for Shot {
@@ -95,7 +97,7 @@ pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, Text
     let camera = camera::camera(camera, picture.aspect())?;
     let rendering = rendering::rendering(&fields)?;
     let materials = materials::Materials::of(fields.table("materials", "the materials")?)?;
-    let things = shapes::things(fields.tables("shapes", "a shape")?, &materials)?;
+    let (things, remarks) = shapes::things(fields.tables("shapes", "a shape")?, &materials)?;
     let lights = lights::lights(fields.tables("lights", "a light")?)?;
     let mut scene = Scene::new(things, lights);
     lights::surroundings(&fields, &mut scene)?;
@@ -105,5 +107,6 @@ pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, Text
         camera,
         rendering,
         picture,
+        remarks,
     })
 }

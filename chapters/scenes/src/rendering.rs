@@ -138,7 +138,8 @@ pub(crate) fn rendering(scene: &Fields) -> Result<Rendering, TextError> {
 const DEEPEST: u64 = 1000;
 
 /// The integrators by their words.
-const INTEGRATORS: [(&str, Make<Box<dyn Integrator>>); 2] = [("path", path), ("whitted", whitted)];
+const INTEGRATORS: [(&str, Make<Box<dyn Integrator>>); 3] =
+    [("path", path), ("whitted", whitted), ("direct", direct)];
 
 fn path(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
     let depth = fields.whole("depth", 1..=DEEPEST)?;
@@ -158,19 +159,28 @@ fn path(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
 fn whitted(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
     // Glass makes two rays of one, so that a tree of rays may not be as deep as a path.
     let depth = fields.whole("depth", 1..=32)?.unwrap_or(8);
-    let shadows = fields.yes("shadows")?.unwrap_or(true);
-    let samples = fields.whole("light_samples", 1..=1024)?.unwrap_or(1);
     Ok(Box::new(Whitted {
-        local: Local {
-            samples: samples as u32,
-            arrives: if shadows {
-                Some(shadow::lit as _)
-            } else {
-                NO_SHADOWS
-            },
-        },
+        local: local(fields)?,
         depth: depth as u32,
     }))
+}
+
+fn direct(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
+    Ok(Box::new(local(fields)?))
+}
+
+/// How the light of the light sources is gathered, where it is not a path that finds it.
+fn local(fields: &Fields) -> Result<Local, TextError> {
+    let shadows = fields.yes("shadows")?.unwrap_or(true);
+    let samples = fields.whole("light_samples", 1..=1024)?.unwrap_or(1);
+    Ok(Local {
+        samples: samples as u32,
+        arrives: if shadows {
+            Some(shadow::lit as _)
+        } else {
+            NO_SHADOWS
+        },
+    })
 }
 
 /// How the samples of a table are placed: by a rule, or by a pattern, which has no fields.

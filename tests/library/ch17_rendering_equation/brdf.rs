@@ -2,7 +2,7 @@
 
 use crate::ch17_rendering_equation::cells::Cells;
 use crate::ch17_rendering_equation::materials::{
-    Furnace, Reciprocal, Row, materials, modified_phong, normalised_blinn_phong, views,
+    Furnace, Reciprocal, Row, materials, modified_phong, normalised_blinn_phong,
 };
 use crate::ch17_rendering_equation::{direction, square, surface};
 use raybook::image::rgb::Rgb;
@@ -13,17 +13,23 @@ use raybook::sample::hemisphere::uniform_hemisphere;
 use raybook::shape::Surface;
 use raybook_common::statistics::Mean;
 
-/// The materials that have an f, for each view from above.
+/// The materials that have an f, for each of their views from above.
 fn scattering() -> Vec<(Row, Dir3)> {
-    let rows = |view| materials().into_iter().map(move |row| (row, view));
-    let mut all: Vec<_> = views().into_iter().flat_map(rows).collect();
+    let rows = |i| materials().into_iter().map(move |row| (i, row));
+    let all = (0..4).flat_map(rows);
+    let mut all: Vec<_> = all
+        .map(|(i, row)| {
+            let view = row.views()[i];
+            (row, view)
+        })
+        .collect();
     all.retain(|(row, _)| row.material.scatters(&row.at));
     all
 }
 
 /// Views from above and from below.
-fn both_sides() -> impl Iterator<Item = Dir3> {
-    views().into_iter().flat_map(|view| [view, -view])
+fn both_sides(row: &Row) -> impl Iterator<Item = Dir3> {
+    row.views().into_iter().flat_map(|view| [view, -view])
 }
 
 #[test]
@@ -65,7 +71,7 @@ fn a_ray_of_light_can_go_back() {
         if row.at.shading_normal != row.at.normal {
             continue;
         }
-        for view in both_sides() {
+        for view in both_sides(&row) {
             for (toward, share) in row.delta_lobes(view) {
                 let goes_back = |(back, again): (Dir3, f32)| {
                     back.distance(*view) < 1e-3 && (again - share).abs() < 1e-3
@@ -83,7 +89,7 @@ fn a_ray_of_light_can_go_back() {
 #[test]
 fn as_much_leaves_as_the_table_says_in_a_white_furnace() {
     for row in materials() {
-        for view in both_sides() {
+        for view in both_sides(&row) {
             let scattered = row.cells(view).integral(|d| row.reflected(view, d));
             let shares = row.delta_lobes(view).into_iter().map(|(_, share)| share);
             let sent = scattered + f64::from(shares.sum::<f32>());

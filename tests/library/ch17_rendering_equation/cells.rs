@@ -12,7 +12,7 @@ const SECTORS: usize = 8;
 /// Cells of the sphere.
 const CELLS: usize = 2 * ZONES * SECTORS;
 /// Points of a cell along each side, for its integral.
-const FINE: usize = 8;
+const FINE: usize = 16;
 /// Samples of a χ² test.
 const SAMPLES: u32 = 20_000;
 /// The expected number of samples that a cell needs: smaller cells count as one.

@@ -3,6 +3,7 @@
 use crate::ch17_rendering_equation::cells::Cells;
 use crate::ch17_rendering_equation::{direction, surface};
 use glam::{Vec2, Vec3, vec2};
+use rand::RngExt;
 use raybook::image::{Image, mip::MipMap, rgb::Rgb};
 use raybook::material::blinn_phong::BlinnPhong;
 use raybook::material::checkered::Checkered;
@@ -18,9 +19,10 @@ use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
 use raybook::material::phong::Phong;
 use raybook::material::plastic::Plastic;
 use raybook::material::{Material, polished::Polished};
-use raybook::math::dir3::Dir3;
+use raybook::math::{dir3::Dir3, pcg};
 use raybook::shape::{Surface, normal_map::NormalMap};
 use std::f64::consts::{PI, TAU};
+use std::ops::Range;
 
 /// What leaves to a viewer, if light of radiance 1 arrives from everywhere: ∫ f cos θ dω and the shares of the delta lobes.
 #[derive(Clone, Copy, Debug)]
@@ -81,6 +83,19 @@ impl Row {
             lobes.push((lobe.toward, lobe.share.max_channel()));
         });
         lobes
+    }
+
+    /// Viewers above the surface: straight above, two anywhere, and one that looks nearly along it. Each material has its own.
+    pub fn views(&self) -> [Dir3; 4] {
+        let name = self.name.bytes().map(u64::from);
+        let stream = name.fold(0, |sum: u64, byte| sum.wrapping_mul(31).wrapping_add(byte));
+        let mut rng = pcg::stream(8, stream);
+        let mut any = |cos: Range<f32>| {
+            let cos = rng.random_range(cos);
+            let (sin, around) = ((1.0 - cos * cos).sqrt(), rng.random_range(0.0..TAU as f32));
+            direction(sin * around.cos(), sin * around.sin(), cos)
+        };
+        [Dir3::Z, any(0.1..1.0), any(0.1..1.0), any(0.02..0.1)]
     }
 
     /// Cells around the direction where a highlight is expected.
@@ -227,16 +242,6 @@ fn as_the_lecture_writes_them() -> Vec<Row> {
         rows.push(row(name, Furnace::StraightUp(most), BlinnPhong(brdf)).reciprocal(reciprocal));
     }
     rows
-}
-
-/// Viewers above the surface, straight, oblique and grazing.
-pub fn views() -> [Dir3; 4] {
-    [
-        Dir3::Z,
-        direction(0.4, 0.3, 0.8),
-        direction(-0.9, 0.1, 0.4),
-        direction(0.0, 1.0, 0.1),
-    ]
 }
 
 /// A place of a texture.

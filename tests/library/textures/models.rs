@@ -59,7 +59,9 @@ fn seen(scene: &Scene, x: f32) -> (Rgb, Dir3) {
 #[test]
 fn each_face_has_the_colour_the_picture_and_the_bumps_of_its_material() {
     let folder = folder(OBJ, MTL);
-    let things = model::load(&folder.path().join("model.obj")).expect("a model");
+    let things = model::load(&folder.path().join("model.obj"))
+        .expect("a model")
+        .things;
     assert_eq!(things.len(), 2, "a thing for each material");
     let scene = Scene::new(things, vec![]);
     for (x, colour, lean) in [
@@ -168,8 +170,74 @@ fn shares_are_cut_off_at_what_nature_allows_and_unknown_words_passed_over() {
 }
 
 #[test]
+fn a_picture_of_the_highlight_is_used_beside_that_of_the_colour() {
+    let with = |mtl: &str| {
+        let folder = folder(OBJ, mtl);
+        let model = model::load(&folder.path().join("model.obj")).expect("a model");
+        let scene = Scene::new(model.things, vec![]);
+        let ray = Ray::new(glam::vec3(0.5, 0.5, 1.0), -Dir3::Z);
+        let at = scene.closest(&ray).expect("wood");
+        let f = at.material.eval(&at.surface, Dir3::Z, Dir3::Z);
+        let mut share = Rgb::BLACK;
+        at.material
+            .delta_lobes(&at.surface, Dir3::Z, &mut |lobe| share += lobe.share);
+        (f * std::f32::consts::PI, share)
+    };
+    // The picture is (0.5, 0.25, 0). A highlight of exponent 0 reflects 1/2 of its irradiance per π, in all directions.
+    let text = |ks: &str| {
+        format!("newmtl wood\nKd 0.8\n{ks}\nmap_Ks sub/wood.png\nNs 0\nillum 2\nnewmtl red paint\n")
+    };
+    let near = |got: Rgb, expected: [f32; 3]| {
+        let off = got.channels().into_iter().zip(expected);
+        off.fold(0.0_f32, |most, (a, b)| most.max((a - b).abs())) < 0.01
+    };
+    let (matte, _) = with(&text("Ks 0"));
+    assert!(near(matte, [0.8; 3]), "without a highlight: {matte:?}");
+    let (plain, _) = with(&text("Ks 0.4").replace("map_Ks", "# map_Ks"));
+    let (mapped, _) = with(&text("Ks 0.4"));
+    let (both, _) = with(&text("Ks 0.4\nmap_Kd sub/wood.png"));
+    // The matte part is the share that the strongest channel of the highlight leaves.
+    let lobe = (plain.g - 0.8 * 0.6) / 0.4;
+    assert!(lobe > 0.3, "{plain:?}");
+    let left = 0.8 * (1.0 - 0.2);
+    let expected = [0.2, 0.1, 0.0].map(|ks| left + ks * lobe);
+    assert!(near(mapped, expected), "{mapped:?}, not {expected:?}");
+    let expected = [0.2, 0.1, 0.0].map(|ks| 2.5 * ks * left + ks * lobe);
+    assert!(near(both, expected), "{both:?}, not {expected:?}");
+    let (_, mirror) = with(&text("Ks 0.4").replace("illum 2", "illum 3"));
+    assert!(near(mirror, [0.2, 0.1, 0.0]), "{mirror:?}");
+}
+
+#[test]
+fn what_a_file_describes_and_the_library_does_not_have_is_remarked() {
+    let bumps =
+        "newmtl wood\nKa 1\nmap_Bump -bm 2 none.png\nPr 0.3\nnewmtl red paint\nmap_Bump none.png\n";
+    let rough = "newmtl wood\nPr 0.3\nnewmtl red paint\n";
+    for (mtl, remarks) in [
+        (MTL, &[][..]),
+        (rough, &["paints.mtl: not used: `Pr`"]),
+        (
+            bumps,
+            &[
+                "paints.mtl: not used: `Pr`, `map_Bump`; bumps must be a normal map, which `norm` names",
+            ],
+        ),
+    ] {
+        let folder = folder(OBJ, mtl);
+        let model = model::load(&folder.path().join("model.obj")).expect("a model");
+        let name = folder.path().display().to_string();
+        let got: Vec<_> = model
+            .remarks
+            .iter()
+            .map(|one| one.replace(&(name.clone() + "/"), ""))
+            .collect();
+        assert_eq!(got, remarks);
+    }
+}
+
+#[test]
 fn a_model_without_materials_is_there_all_the_same() {
     let folder = folder("v 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl what\nf 1 2 3\n", "");
-    let things = model::load(Path::new(&folder.path().join("model.obj"))).expect("a model");
-    assert_eq!(things.len(), 1);
+    let model = model::load(Path::new(&folder.path().join("model.obj"))).expect("a model");
+    assert_eq!(model.things.len(), 1);
 }

@@ -7,7 +7,7 @@ use raybook::image::Image;
 use raybook::image::file::{self, FileError};
 use raybook::render::film::{self, Film, Progress};
 use raybook_chapters::kit::options::{WIDEST, seed};
-use raybook_chapters::kit::say::say;
+use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::stage::progress_bar;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_scenes::{Shot, wrong::TextError};
@@ -78,9 +78,13 @@ impl Render {
         Ok(true)
     }
 
-    /// The scene.
+    /// The scene; remarks about its files are said.
     fn load(&self) -> Result<Shot, TextError> {
-        raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))
+        let shot = raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))?;
+        for remark in &shot.remarks {
+            complain(format_args!("remark: {}", Untrusted::from(&**remark)));
+        }
+        Ok(shot)
     }
 
     /// Samples per pixel.

@@ -121,7 +121,10 @@ fn limits_are_those_of_the_cases_and_the_judge() {
             "One right answer to each case is on file; where a text leaves a choice, the judge takes the others, too.",
         ),
         ("bvh_build", "length 1 to 1000"),
-        ("bvh_build", "The tree may cost 25 % more than the reference's"),
+        (
+            "bvh_build",
+            "The tree may cost 25 % more than the reference's",
+        ),
         ("random_pattern", "`point`: not compared one by one"),
         (
             "random_pattern",

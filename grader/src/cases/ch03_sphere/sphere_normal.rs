@@ -190,10 +190,9 @@ fn by_quotient(q: &SphereNormal, [over, under]: [usize; 2], upright: Upright) ->
     let mut n = SphereNormal::right(q);
     if n[under] == 0.0 {
         match upright {
-            Upright::Well => {}
             Upright::FirstHalf => n[over] = n[over].abs(),
             Upright::NanAtPole if n[over] == 0.0 => (n[under], n[over]) = (f32::NAN, f32::NAN),
-            Upright::NanAtPole => {}
+            Upright::Well | Upright::NanAtPole => {}
         }
         return n;
     }

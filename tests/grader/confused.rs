@@ -185,8 +185,10 @@ exec awk '{{
     // As C++ does: what is no number is 0, and ends the reading.
     program(
         home.path(),
-        &awk("$9 == \"inf\" ? -1 : $9")
-            .replace("print \"= none\"", "print (max < 0 ? \"= 0\" : \"= none\")"),
+        &awk("$9 == \"inf\" ? -1e30 : $9").replace(
+            "print \"= none\"",
+            "print (max < -1e29 ? \"= 0\" : \"= none\")",
+        ),
     );
     let (code, said) = raybook(home.path(), &check);
     assert!(

@@ -102,7 +102,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("sphere_hit", "May be infinite in a question: `within`."),
         (
             "sphere_hit",
-            "The right answer is or holds `none` in 23 of 57 cases, such as \"the sphere is behind\".",
+            "The right answer is or holds `none` in 27 of 57 cases, such as \"the sphere is behind\".",
         ),
         ("bounds_of", "May be empty in a question: `points`."),
         ("voxels_of_triangle", "The order of `cells` does not count."),
@@ -128,7 +128,7 @@ fn limits_are_those_of_the_cases_and_the_judge() {
         ("random_pattern", "`point`: not compared one by one"),
         (
             "random_pattern",
-            "All answers are judged together, too; who is right so far is asked 100 questions for it, and up to 800",
+            "All answers are judged together, too; who is right so far is asked 64 questions for it, and up to 512",
         ),
         (
             "bvh_build",

@@ -187,7 +187,7 @@ fn a_wrong_directive_is_an_error_with_its_line() {
         ("{{listing src/none.rs:a}}", "no file src/none.rs"),
         ("{{listing src/shape/mod.rs:none}}", "no `// ANCHOR: none`"),
         ("{{reference nothing}}", "no exercise"),
-        ("{{measured nothing}}", "golden/measured has creases"),
+        ("{{measured nothing}}", "golden/measured has biases"),
         ("{{path 1 12}}", "chapter 12 (Phong) needs chapter 2"),
         ("{{index words.md}}", "no page words.md"),
         ("{{library sources}}", "no files in `sources`"),

@@ -40,7 +40,7 @@ fn a_power_that_is_no_power_is_named() {
     let found = diagnosed("expose", |q| {
         Some(q[..3].iter().map(|v| v * 2.0 * q[3]).collect())
     });
-    let told = "goes wrong at the step “2^stops”: multiplies by the exponent instead of raising to the power";
+    let told = "multiplies by twice the number of stops";
     assert_eq!((&*found.name, found.certain), (told, true));
 }
 

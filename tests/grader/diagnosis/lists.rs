@@ -156,7 +156,7 @@ fn rounds_of_the_children_that_are_met_are_named() {
         leaves(q, 0, cell, 2, &mut found);
         Some([vec![found.len() as f64], found].concat())
     });
-    let told = "ends after the second of a node's children that the ray passes through";
+    let told = "visits at most two children of a node";
     assert_eq!(found.name, told);
 }
 

@@ -316,7 +316,7 @@ pub const MISTAKES: &[Slip] = &[
     slip(
         "sphere_hit",
         "returns t from the nearest point to the centre",
-        &["half", "minus"],
+        &["nearest to the centre"],
         |q, right| {
             let from = minus(&q[8..11], &q[..3]);
             let middle = dot(&from, &q[3..6]);
@@ -511,13 +511,18 @@ pub const MISTAKES: &[Slip] = &[
         &["2 times"],
         |q, right| changed(right(q), |n| n[1..].iter_mut().for_each(|v| *v *= 2.0)),
     ),
-    slip("triangle_normal", "z turned", &["sign of z"], |q, right| {
-        changed(right(q), |n| {
-            if n.len() > 3 {
-                n[3] = -n[3]
-            }
-        })
-    }),
+    slip(
+        "triangle_normal",
+        "z turned",
+        &["sign of z", "sign of the last component"],
+        |q, right| {
+            changed(right(q), |n| {
+                if n.len() > 3 {
+                    n[3] = -n[3]
+                }
+            })
+        },
+    ),
     slip(
         "interpolate_normal",
         "b1 is 1 − b1",

@@ -246,7 +246,7 @@ fn one_slip_that_explains_all_is_told_before_two_mistakes() {
         let hits = q[6] < t && t < q[7];
         Some(if hits { vec![1.0, t] } else { vec![0.0] })
     });
-    let told = "goes wrong at the step “−n·d, how fast the ray sinks”: takes the absolute value of the value";
+    let told = "divides the origin's height above the plane by the absolute value of n·d";
     assert_eq!(found.name, told);
 }
 

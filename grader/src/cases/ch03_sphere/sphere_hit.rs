@@ -165,6 +165,11 @@ impl Graded for SphereHit {
             },
         },
         Mistake {
+            name: "measures t from the point of the ray that is nearest to the centre, and not from its origin",
+            hint: "How far is it from the origin to the point nearest to the centre, and where is this number in your t?",
+            answer: |q| Self::right(q).map(|t| t - foot(q)),
+        },
+        Mistake {
             name: "asks only whether the near root is ahead",
             hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
             answer: |q| pick(q, |near, far| Some(if near > 0.0 { near } else { far })),

@@ -7,6 +7,7 @@ use raybook::image::rgb::Rgb;
 use raybook::math::{interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch05_box::BoxClip;
+use std::ops::Range;
 
 impl Graded for BoxClip {
     fn random(rng: &mut Pcg) -> BoxClip {
@@ -368,16 +369,22 @@ impl Graded for BoxClip {
         Mistake {
             name: "does not swap the planes for a negative direction, and has a case of its own for a parallel ray",
             hint: "A ray that goes left meets the right side first: which of your two distances is the entry then?",
-            answer: |q| {
-                let unswapped = |(axis, (near, far)): (usize, (f32, f32))| {
-                    if q.ray.direction[axis] < 0.0 {
-                        (far, near)
-                    } else {
-                        (near, far)
-                    }
-                };
-                overlap(q, crossed(q)?.into_iter().map(unswapped))
-            },
+            answer: |q| unswapped(q, 0..3),
+        },
+        Mistake {
+            name: "does not swap the planes for a negative direction along x",
+            hint: "A ray that goes left meets the right side first: which of your two distances is the entry then?",
+            answer: |q| unswapped(q, 0..1),
+        },
+        Mistake {
+            name: "does not swap the planes for a negative direction along y",
+            hint: "A ray that goes down meets the upper side first: which of your two distances is the entry then?",
+            answer: |q| unswapped(q, 1..2),
+        },
+        Mistake {
+            name: "does not swap the planes for a negative direction along z",
+            hint: "A ray that goes against z meets the side of greater z first: which of your two distances is the entry then?",
+            answer: |q| unswapped(q, 2..3),
         },
         Mistake {
             name: "takes 0 for within.min, wherever the interval begins",
@@ -500,6 +507,18 @@ fn overlap(q: &BoxClip, parts: impl Iterator<Item = (f32, f32)>) -> Option<Inter
         (min.max(near), max.min(far))
     });
     finish(min, max)
+}
+
+/// Clips by the slabs, of which those of some axes have the planes in the order of the axis, whichever way the ray goes.
+fn unswapped(q: &BoxClip, axes: Range<usize>) -> Option<Interval> {
+    let parts = crossed(q)?.into_iter().map(|(axis, (near, far))| {
+        if axes.contains(&axis) && q.ray.direction[axis] < 0.0 {
+            (far, near)
+        } else {
+            (near, far)
+        }
+    });
+    overlap(q, parts)
 }
 
 /// The part in the last slab, where the part in each slab overlaps the one before.

@@ -194,12 +194,12 @@ impl Graded for BvhBuild {
             hint: "A leaf's boxes stand side by side in the order: does `first` say where there, or which box of the question it is?",
         },
         Flaw {
-            complaint: "behind its last box",
+            complaint: "behind its last box in the order",
             name: END_OF_A_LEAF,
             hint: "How long is the order before a leaf's boxes are appended, and how long after that? Which of the two is `first`?",
         },
         Flaw {
-            complaint: "one place too late",
+            complaint: "one place too late in the order",
             name: FROM_1,
             hint: "What is the number of the first place in a list?",
         },

@@ -100,6 +100,7 @@ impl Graded for VisibleFraction {
             .fold(f32::INFINITY, f32::min);
         let are_large = least > apart;
         let beside = BESIDE + (apart / least).powi(2) / 8.0;
+        let few = of_fewer(got, q.samples);
         for (i, (&f, &fraction)) in exact.iter().zip(got).enumerate() {
             let n = q.samples as f32;
             let at_the_corners = |scale| to_the_corners(q, i, scale);
@@ -117,13 +118,14 @@ impl Graded for VisibleFraction {
             // The logarithm of the probability that all samples are alike.
             let alike = n * (1.0 - (f - fraction).abs() + LATTICE).ln();
             let judged = if [0.0, 1.0].contains(&fraction) && alike < -L {
+                let exactly = if few.is_some() { "" } else { "exactly " };
                 Err(format!(
-                    "{name} is exactly {fraction}, and should be about {f:.2}"
+                    "{name} is {exactly}{fraction}, and should be about {f:.2}"
                 ))
             } else {
                 judge::number_within(&name, "", f, fraction, bound)
             };
-            judged.map_err(|why| match of_fewer(got, q.samples) {
+            judged.map_err(|why| match few {
                 Some(few) => format!("{why}: all fractions are whole parts of {few}, as of {few} samples instead of {n}"),
                 None => why,
             })?;

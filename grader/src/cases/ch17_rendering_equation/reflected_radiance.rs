@@ -151,17 +151,21 @@ impl Graded for ReflectedRadiance {
         if !are_independent(answers) {
             return Ok(());
         }
-        let (mut off, mut bias) = (Vec::new(), 0.0);
-        for (q, got) in answers.iter().filter(|(q, _)| q.samples > AGAIN) {
-            let sum = |channels: [f32; 3]| f64::from(channels.iter().sum::<f32>());
+        let (mut off, mut sum, mut bias, mut n) = (Vec::new(), 0.0, 0.0, 0.0);
+        for (q, got) in answers {
+            let total = |channels: [f32; 3]| f64::from(channels.iter().sum::<f32>());
             let (exact, scatter) = exact_and_scatter(q);
-            let (exact, scatter) = (sum(exact), sum(scatter));
-            let apart = sum(got.channels()) - exact;
+            let (exact, scatter) = (total(exact), total(scatter));
+            let apart = total(got.channels()) - exact;
             off.push(apart / scatter);
-            bias += apart / exact;
+            // Of few samples an estimate tells much of its scatter, and little of a bias.
+            if q.samples > AGAIN {
+                sum += apart / scatter;
+                bias += apart / exact;
+                n += 1.0;
+            }
         }
-        let n = off.len() as f64;
-        if n > 0.0 && off.iter().sum::<f64>().abs() > bounds.of(DEVIATIONS) * n.sqrt() {
+        if n > 0.0 && f64::abs(sum) > bounds.of(DEVIATIONS) * f64::sqrt(n) {
             return Err(format!(
                 "the estimates are {:.1} % too {} on average: more than chance explains",
                 100.0 * f64::abs(bias / n),

@@ -144,7 +144,8 @@ impl Graded for ReflectedRadiance {
     }
 
     /// The sum of n estimates, each over the standard deviation of the one that scatters most, has a standard deviation of √n at most: a
-    /// bias of 2 % shows in 42 cases. And so do a tenth of the samples, by the sum of the squares.
+    /// bias of 2 % shows in 42 cases. And so does a twentieth of the samples, by the sum of the squares of these and of the answers to the
+    /// question that is asked again.
     fn together(answers: &[(ReflectedRadiance, Rgb)], bounds: Bounds) -> Verdict {
         const DEVIATIONS: f64 = 6.25;
         depends_on_samples(answers)?;

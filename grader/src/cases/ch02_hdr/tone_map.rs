@@ -161,6 +161,15 @@ impl Graded for ToneMap {
             },
         },
         Mistake {
+            name: "adds the same number to each channel, in the place of scaling all of them",
+            hint: "The orange (4, 2, 0) has no blue: has yours, and is there still twice as much red as green?",
+            answer: |q| {
+                let luminance = q.radiance.luminance();
+                let change = luminance / (1.0 + luminance) - luminance;
+                q.radiance.map(|v| v + change)
+            },
+        },
+        Mistake {
             name: "mixes the mapping of the luminance with that of each channel",
             hint: "Tone map the orange (4, 2, 0): is there still twice as much red as green?",
             answer: |q| {

@@ -35,6 +35,22 @@ impl Graded for SphereNormal {
             answer: |q| q.p - q.center,
         },
         Mistake {
+            name: "divides by the sum of the components' absolute values, not by the length",
+            hint: "How long is the vector (3, 4, 0)?",
+            answer: |q| {
+                let way = q.p - q.center;
+                way / way.abs().element_sum()
+            },
+        },
+        Mistake {
+            name: "divides by the greatest of the components' absolute values, not by the length",
+            hint: "How long is the vector (3, 4, 0)?",
+            answer: |q| {
+                let way = q.p - q.center;
+                way / way.abs().max_element()
+            },
+        },
+        Mistake {
             name: "takes the sphere to be at the origin",
             hint: "Move the sphere and the point by one metre: the normal must not change.",
             answer: |q| q.p.normalize_or_zero(),

@@ -387,6 +387,24 @@ impl Graded for BoxClip {
             answer: |q| unswapped(q, 2..3),
         },
         Mistake {
+            name: "does not ask whether anything is left after the last axis",
+            hint: "A ray passes above the box: when does your loop ask whether the end is before the beginning, and how often?",
+            answer: |q| {
+                let parts = crossed(q)?;
+                let is_last = |axis: usize| axis == 2;
+                let part =
+                    |min: f32, max: f32, (near, far): (f32, f32)| (min.max(near), max.min(far));
+                let (mut min, mut max) = (q.within.min, q.within.max);
+                for (axis, slab) in parts {
+                    (min, max) = part(min, max, slab);
+                    if max < min && !is_last(axis) {
+                        return None;
+                    }
+                }
+                Some(Interval { min, max })
+            },
+        },
+        Mistake {
             name: "takes 0 for within.min, wherever the interval begins",
             hint: "An interval may begin ahead of the origin or behind it: which part of the ray is before `min`?",
             answer: |q| Self::misread(q, |q| q.within.min = 0.0),

@@ -159,6 +159,14 @@ impl Graded for RefineCell {
             answer: |q| Self::misread(q, |q| q.density = 1.0),
         },
         Mistake {
+            name: "takes the resolution for the extents of the box around the shapes, and not for those of the cell",
+            hint: "A cell with a single small shape: what is cut into fine cells, the shape's box or the cell?",
+            answer: |q| {
+                let around = Aabb::of(q.shapes.iter().flat_map(|shape| [shape.min, shape.max]));
+                cut_for(q, around.size(), q.shapes.len(), 255)
+            },
+        },
+        Mistake {
             name: "gives every cell the same resolution",
             hint: "A cell with eight times as many shapes: how much finer is it cut along an axis?",
             answer: |q| cut(q, UVec3::splat(2)),

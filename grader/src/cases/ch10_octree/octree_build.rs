@@ -458,6 +458,11 @@ impl Graded for OctreeBuild {
             answer: |q| with_limit(q, |copies, made| copies - (made - 1.0)),
         },
         Mistake {
+            name: "takes what a cut multiplies the names by off the limit on copies, and does not divide by it",
+            hint: "A cut makes twice as many names, and the next one twice as many again: how many are these, and how many did the limit allow?",
+            answer: |q| with_limit(q, |copies, made| copies - made),
+        },
+        Mistake {
             name: "expects a ray to meet each child with probability 1/8, not 1/4",
             hint: "Of eight children with a shape each, how many does a ray pass through on average: does it meet only one?",
             answer: |q| {

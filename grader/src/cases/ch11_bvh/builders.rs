@@ -86,6 +86,18 @@ pub(super) const WHOLE_LESS_LEFT: Cutting = |q, which, _| {
 /// The cut in the middle of the row, along x, y and z in turn from level to level.
 pub(super) const IN_TURN: Cutting = |q, which, depth| middle(q, which, depth % 3);
 
+/// Halves by number along x, where the cheapest cut says whether to cut at all.
+pub(super) const HALVES_ALONG_X: Cutting = |q, which, depth| Cut {
+    cost: ALL_CUTS(q, which, depth).cost,
+    ..middle(q, which, 0)
+};
+
+/// The same along the axis along which the node's box is longest.
+pub(super) const HALVES_ALONG_THE_LONGEST: Cutting = |q, which, depth| Cut {
+    cost: ALL_CUTS(q, which, depth).cost,
+    ..middle(q, which, longest(&around(&q.boxes, which)))
+};
+
 /// The cheapest cut along x.
 pub(super) const ALONG_X: Cutting = |q, which, _| cheapest(q, which, [0], by_areas);
 

@@ -4,8 +4,9 @@ use super::builders::{
     ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
     AT_THE_WIDEST_GAP, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, AT_THE_WIDEST_SPACE, BY_EXTENTS,
     BY_THE_DEARER_SIDE, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT,
-    CHEAPER_THAN_TWO, DEAREST, FITS, IN_THE_LAST_ROW, IN_TURN, SINGLE, UNSORTED, WHOLE_LESS_LEFT,
-    WITHOUT_NUMBERS, built, chain, depth_first, one_leaf, with_first,
+    CHEAPER_THAN_TWO, DEAREST, FITS, HALVES_ALONG_THE_LONGEST, HALVES_ALONG_X, IN_THE_LAST_ROW,
+    IN_TURN, SINGLE, UNSORTED, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, depth_first,
+    one_leaf, with_first,
 };
 use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
@@ -271,6 +272,16 @@ impl Graded for BvhBuild {
     ];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "cuts into halves by the number of boxes along x, and asks the cheapest cut only whether to cut at all",
+            hint: "You have found the cheapest cut: on which side of it is each box, and on which side do you put it?",
+            answer: |q| built(q, HALVES_ALONG_X, CHEAPER),
+        },
+        Mistake {
+            name: "cuts into halves by the number of boxes along the longest axis, and asks the cheapest cut only whether to cut at all",
+            hint: "You have found the cheapest cut: on which side of it is each box, and on which side do you put it?",
+            answer: |q| built(q, HALVES_ALONG_THE_LONGEST, CHEAPER),
+        },
         Mistake {
             name: "cuts every node into halves by the number of boxes",
             hint: "One box lies far away from nine others: should any of the nine share a side with it?",

@@ -209,6 +209,15 @@ impl Graded for SampleRect {
             },
         },
         Mistake {
+            name: "takes the cosine at the light for the direction to its middle, whatever the sample",
+            hint: "Each sample has a distance and a cosine of its own: which direction is the cosine of?",
+            answer: |q| {
+                let way = q.corner + 0.5 * (q.a + q.b) - q.at;
+                let cosine = -way.dot(q.a.cross(q.b).normalize_or_zero()) / way.length();
+                spoil_rect(q, |_, chosen| chosen.distance.powi(2) / (area(q) * cosine))
+            },
+        },
+        Mistake {
             name: "takes a × b for the light's normal without bringing it to length 1 for the cosine",
             hint: "How long is the cross product of the light's two sides?",
             answer: |q| spoil_rect(q, |_, chosen| chosen.pdf / area(q)),

@@ -226,8 +226,8 @@ impl Graded for CosineHemisphere {
         },
         Flaw {
             complaint: "round the normal",
-            name: "does not go all the way round the normal",
-            hint: "From where to where does your angle go? Is the last of your directions next to the first?",
+            name: "leaves wedges round the normal in which there is no direction",
+            hint: "From where to where does your angle go? Does every point of the square have an angle of its own, by the number of the task?",
         },
         Flaw {
             complaint: "the mean to",

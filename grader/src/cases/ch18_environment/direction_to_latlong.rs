@@ -132,6 +132,16 @@ impl Graded for DirectionToLatlong {
             },
         },
         Mistake {
+            name: "returns the angles in degrees",
+            hint: "In which units are the two numbers of a place: in degrees, or as shares of the map?",
+            answer: |q| 180.0 * vec2(2.0, 1.0) * Self::right(q),
+        },
+        Mistake {
+            name: "returns the angles in degrees, the one around from −180 to 180",
+            hint: "In which units are the two numbers of a place: in degrees, or as shares of the map? And where does the map begin?",
+            answer: |q| 180.0 * (vec2(2.0, 1.0) * Self::right(q) - vec2(1.0, 0.0)),
+        },
+        Mistake {
             name: "returns the angles, the one around from −π to π",
             hint: "In which units are the two numbers of a place: in radians, or as shares of the map? And where does the map begin?",
             answer: |q| {

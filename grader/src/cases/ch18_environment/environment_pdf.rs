@@ -206,6 +206,14 @@ impl Graded for EnvironmentPdf {
             answer: |q| rounded(q, true, false),
         },
         Mistake {
+            name: "rounds the column instead of cutting off its fraction, and takes the first one behind the last",
+            hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
+            answer: |q| {
+                let column = (latlong::place(q.direction).x * q.width as f32).round();
+                neighbour(q, column as i32 - q.texel().0 as i32, 0)
+            },
+        },
+        Mistake {
             name: "finds the row by the height, not by the angle from the top",
             hint: "The rows of the map are equally many degrees high: are they equally high on the sphere?",
             answer: |q| {

@@ -28,8 +28,8 @@ pub const OUTSIDE: Flaw = Flaw {
 /// What is wrong where [`crate::judge::scattered`] complains of equal points.
 pub const SAME: Flaw = Flaw {
     complaint: "each is to be chosen by itself",
-    name: "chooses several points by the same random numbers",
-    hint: "How often is your generator asked, and how often is it started again?",
+    name: "gives several points the same place, or the same place in their cells",
+    hint: "How often is your generator asked, and how often is it started again? How many different numbers can it give?",
 };
 
 /// What is wrong where points are on a line.

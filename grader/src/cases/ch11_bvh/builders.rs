@@ -1,6 +1,6 @@
 //! Trees of boxes by other rules than the surface-area heuristic: what mistaken builders make.
 
-use super::{area, around, center, whole_less_left};
+use super::{area, around, center};
 use crate::Graded;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
@@ -56,30 +56,30 @@ pub(super) struct Cut {
 pub(super) type Cutting = fn(&BvhBuild, &[u32], usize) -> Cut;
 
 /// The cheapest cut of all.
-pub(super) const ALL_CUTS: Cutting =
-    |q, which, _| swept(q, rows(q, which), |left, right| left + right);
+pub(super) const ALL_CUTS: Cutting = |q, which, _| cheapest(q, which, 0..3, Side::by_area);
 
 /// The cut whose sides have the least areas, however many boxes are in them.
-pub(super) const WITHOUT_NUMBERS: Cutting = |q, which, _| cheapest(q, which, 0..3, area_around);
+pub(super) const WITHOUT_NUMBERS: Cutting = |q, which, _| cheapest(q, which, 0..3, Side::area);
 
 /// The cut whose sides have the least volumes, times their numbers of boxes.
 pub(super) const BY_VOLUMES: Cutting = |q, which, _| {
-    cheapest(q, which, 0..3, |q, side| {
-        around(&q.boxes, side).size().element_product() * side.len() as f32
+    cheapest(q, which, 0..3, |side| {
+        side.around.size().element_product() * side.count
     })
 };
 
 /// The cut whose sides have the least sums of extents, times their numbers of boxes.
 pub(super) const BY_EXTENTS: Cutting = |q, which, _| {
-    cheapest(q, which, 0..3, |q, side| {
-        around(&q.boxes, side).size().element_sum() * side.len() as f32
+    cheapest(q, which, 0..3, |side| {
+        side.around.size().element_sum() * side.count
     })
 };
 
 /// The cheapest cut, if the right side had what the left one lacks of the area of the node's box.
 pub(super) const WHOLE_LESS_LEFT: Cutting = |q, which, _| {
-    cheapest_by(q, which, 0..3, |left, right| {
-        whole_less_left(&q.boxes, left, right)
+    swept(q, rows(q, which, 0..3), |left, right| {
+        let rest = left.with(right).area() - left.area();
+        left.by_area() + rest * right.count
     })
 };
 
@@ -99,14 +99,14 @@ pub(super) const HALVES_ALONG_THE_LONGEST: Cutting = |q, which, depth| Cut {
 };
 
 /// The cheapest cut along x.
-pub(super) const ALONG_X: Cutting = |q, which, _| cheapest(q, which, [0], by_areas);
+pub(super) const ALONG_X: Cutting = |q, which, _| cheapest(q, which, [0], Side::by_area);
 
 /// The cheapest cut along z.
-pub(super) const ALONG_Z: Cutting = |q, which, _| cheapest(q, which, [2], by_areas);
+pub(super) const ALONG_Z: Cutting = |q, which, _| cheapest(q, which, [2], Side::by_area);
 
 /// The cheapest cut along the axis along which the node's box is longest.
 pub(super) const ALONG_THE_LONGEST: Cutting =
-    |q, which, _| cheapest(q, which, [longest(&around(&q.boxes, which))], by_areas);
+    |q, which, _| cheapest(q, which, [longest(&around(&q.boxes, which))], Side::by_area);
 
 /// The cut at the middle of the node's box.
 pub(super) const AT_THE_MIDDLE: Cutting = |q, which, _| halved(q, which, &around(&q.boxes, which));
@@ -130,15 +130,20 @@ pub(super) const AT_THE_WIDEST_GAP_ALONG_THE_LONGEST: Cutting = |q, which, _| {
 pub(super) const AT_THE_WIDEST_SPACE: Cutting = |q, which, _| widest(q, which, 0..3, spaces);
 
 /// The cheapest cut, if a cut cost as much as its dearer side.
-pub(super) const BY_THE_DEARER_SIDE: Cutting = |q, which, _| swept(q, rows(q, which), f32::max);
+pub(super) const BY_THE_DEARER_SIDE: Cutting = |q, which, _| {
+    swept(q, rows(q, which, 0..3), |left, right| {
+        left.by_area().max(right.by_area())
+    })
+};
 
 /// The cheapest cut of the row as it is stored.
-pub(super) const UNSORTED: Cutting =
-    |q, which, _| swept(q, [which.to_vec()], |left, right| left + right);
+pub(super) const UNSORTED: Cutting = |q, which, _| swept(q, [which.to_vec()], by_areas);
 
 /// The dearest cut of all.
 pub(super) const DEAREST: Cutting = |q, which, _| {
-    let cut = swept(q, rows(q, which), |left, right| -(left + right));
+    let cut = swept(q, rows(q, which, 0..3), |left, right| {
+        -by_areas(left, right)
+    });
     Cut {
         cost: -cut.cost,
         ..cut
@@ -274,9 +279,35 @@ fn area_around(q: &BvhBuild, which: &[u32]) -> f32 {
     area(min, max)
 }
 
-/// The surface-area heuristic.
-fn by_areas(q: &BvhBuild, side: &[u32]) -> f32 {
-    area_around(q, side) * side.len() as f32
+/// A side of a cut: the box around its boxes, and how many these are.
+#[derive(Clone, Copy)]
+struct Side {
+    around: Aabb,
+    count: f32,
+}
+
+impl Side {
+    fn area(&self) -> f32 {
+        area(self.around.min, self.around.max)
+    }
+
+    /// What it costs by the surface-area heuristic.
+    fn by_area(&self) -> f32 {
+        self.area() * self.count
+    }
+
+    /// Both sides as one.
+    fn with(&self, other: &Side) -> Side {
+        Side {
+            around: self.around.union(&other.around),
+            count: self.count + other.count,
+        }
+    }
+}
+
+/// What a cut costs by the surface-area heuristic.
+fn by_areas(left: &Side, right: &Side) -> f32 {
+    left.by_area() + right.by_area()
 }
 
 /// The boxes in the order of their centres along an axis.
@@ -292,45 +323,28 @@ fn cheapest(
     q: &BvhBuild,
     which: &[u32],
     axes: impl IntoIterator<Item = usize>,
-    price: fn(&BvhBuild, &[u32]) -> f32,
+    price: fn(&Side) -> f32,
 ) -> Cut {
-    cheapest_by(q, which, axes, |left, right| {
-        price(q, left) + price(q, right)
+    swept(q, rows(q, which, axes), |left, right| {
+        price(left) + price(right)
     })
 }
 
-/// The same, if both sides cost this together.
-fn cheapest_by(
+/// The rows of the boxes by their centres along some axes.
+fn rows(
     q: &BvhBuild,
     which: &[u32],
     axes: impl IntoIterator<Item = usize>,
-    price: impl Fn(&[u32], &[u32]) -> f32,
-) -> Cut {
-    let mut best: Option<Cut> = None;
-    for axis in axes {
-        let sorted = sorted(q, which, axis);
-        for (left, right) in (1..sorted.len()).map(|i| sorted.split_at(i)) {
-            let cost = price(left, right);
-            if best.as_ref().is_none_or(|best| cost < best.cost) {
-                let sides = [left.to_vec(), right.to_vec()];
-                best = Some(Cut { sides, cost });
-            }
-        }
-    }
-    best.unwrap_or_else(|| middle(q, which, 0))
+) -> impl Iterator<Item = Vec<u32>> {
+    axes.into_iter().map(move |axis| sorted(q, which, axis))
 }
 
-/// The rows of the boxes by their centres along each axis.
-fn rows(q: &BvhBuild, which: &[u32]) -> [Vec<u32>; 3] {
-    std::array::from_fn(|axis| sorted(q, which, axis))
-}
-
-/// The cut of these rows with the least price, made of what its sides cost by the surface-area heuristic. It is found in one sweep
-/// of each row: some rules make as many branches as there are boxes, and look at all boxes below in each.
+/// The cut of these rows with the least price. It is found in one sweep of each row: some rules make as many branches as there are
+/// boxes, and look at all boxes below in each.
 fn swept(
     q: &BvhBuild,
     rows: impl IntoIterator<Item = Vec<u32>>,
-    price: fn(f32, f32) -> f32,
+    price: impl Fn(&Side, &Side) -> f32,
 ) -> Cut {
     let mut best: Option<(f32, usize, Vec<u32>)> = None;
     for row in rows {
@@ -339,7 +353,7 @@ fn swept(
         right.reverse();
         let mut cheaper = None;
         for at in 1..row.len() {
-            let cost = price(left[at - 1], right[at]);
+            let cost = price(&left[at - 1], &right[at]);
             let least = cheaper.map(|(cost, _)| cost);
             let least = least.or(best.as_ref().map(|best| best.0));
             if least.is_none_or(|least| cost < least) {
@@ -358,12 +372,15 @@ fn swept(
     }
 }
 
-/// What the first box of a row costs, the first two together, and so on.
-fn growing<'a>(q: &BvhBuild, row: impl Iterator<Item = &'a u32>) -> Vec<f32> {
+/// The first box of a row as a side, the first two together, and so on.
+fn growing<'a>(q: &BvhBuild, row: impl Iterator<Item = &'a u32>) -> Vec<Side> {
     let mut around = Aabb::EMPTY;
     let grown = row.zip(1..).map(|(&i, count)| {
         around = around.union(&Aabb::from(&q.boxes[i as usize]));
-        area(around.min, around.max) * count as f32
+        Side {
+            around,
+            count: count as f32,
+        }
     });
     grown.collect()
 }
@@ -419,7 +436,7 @@ fn middle(q: &BvhBuild, which: &[u32], axis: usize) -> Cut {
 
 fn sides(q: &BvhBuild, (left, right): (&[u32], &[u32])) -> Cut {
     Cut {
-        cost: by_areas(q, left) + by_areas(q, right),
+        cost: area_around(q, left) * left.len() as f32 + area_around(q, right) * right.len() as f32,
         sides: [left.to_vec(), right.to_vec()],
     }
 }

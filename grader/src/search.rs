@@ -505,3 +505,34 @@ impl Search<'_> {
         hit.is_some()
     }
 }
+
+/// What is left of the distances that count, made of these and of those at which the ray is inside a leaf's box.
+pub type Part = fn(Interval, Interval) -> Interval;
+
+/// Only those inside the box.
+pub const INSIDE: Part = |_, inside| inside;
+
+/// Only those behind the entry.
+pub const BEHIND_THE_ENTRY: Part = |within, inside| Interval::new(inside.min, within.max);
+
+/// Only those before the exit.
+pub const BEFORE_THE_EXIT: Part = |within, inside| Interval::new(within.min, inside.max);
+
+/// Shrinks a triangle in a leaf with these bounds to a point, unless the ray hits it within a part of the distances that count.
+pub fn lose_outside(
+    triangle: &mut Corners,
+    bounds: &Aabb,
+    (ray, within): (&Ray, Interval),
+    part: Part,
+) {
+    let &mut Corners { p0, p1, p2 } = triangle;
+    let facet = Facet {
+        corners: [p0, p1, p2],
+        id: 0,
+    };
+    let inside = slab::clip(bounds, ray, within);
+    let hit = inside.and_then(|inside| facet.hit(ray, part(within, inside)));
+    if hit.is_none() {
+        (triangle.p1, triangle.p2) = (p0, p0);
+    }
+}

@@ -3,14 +3,14 @@
 mod walk;
 
 use super::tree;
+use crate::search::{BEFORE_THE_EXIT, BEHIND_THE_ENTRY, INSIDE, Part, lose_outside};
 use crate::{
     Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::Found,
     search::How, search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
-use raybook::shape::{Shape, mesh::Facet};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch11_bvh::{BvhClosest, BvhClosestAnswer};
 use raybook_workbook::tree_rows::{BoxRow, NodeRow};
@@ -305,33 +305,17 @@ impl Graded for BvhClosest {
         Mistake {
             name: "tests the triangles of a leaf only between where the ray enters the leaf's box and where the ray leaves it, ends excluded",
             hint: "A flat box is entered and left at the same distance: which distances lie between, and where is the hit?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |_, inside| inside);
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, INSIDE)),
         },
         Mistake {
             name: "tests the triangles of a leaf only behind where the ray enters the leaf's box",
             hint: "A triangle lies in the face by which the ray enters the box: is its distance greater than that of the box?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |within, inside| {
-                        Interval::new(inside.min, within.max)
-                    });
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, BEHIND_THE_ENTRY)),
         },
         Mistake {
             name: "tests the triangles of a leaf only before where the ray leaves the leaf's box",
             hint: "A triangle lies in the face by which the ray leaves the box: is its distance less than that of the face?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |within, inside| {
-                        Interval::new(within.min, inside.max)
-                    });
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, BEFORE_THE_EXIT)),
         },
         Mistake {
             name: "ends the loop over a leaf's triangles at its count, and begins it at its `first`",
@@ -489,26 +473,14 @@ pub fn question(triangles: &[[Vec3; 3]], ray: Ray, within: Interval) -> BvhClose
     }
 }
 
-/// Shrinks each triangle in a leaf to a point, unless the ray hits the triangle within a part of the distances that count. The part
-/// is made of these distances and of those at which the ray is inside the leaf's box.
-fn lose_outside_of_boxes(q: &mut BvhClosest, part: fn(Interval, Interval) -> Interval) {
+/// Shrinks each triangle in a leaf to a point, unless the ray hits it within a part of the distances that count.
+fn lose_outside_of_boxes(q: &mut BvhClosest, part: Part) {
     // The root's box is not asked: a root that is a leaf is tested within all distances.
     for node in q.nodes.iter().skip(1).filter(|node| node.count > 0) {
         let bounds = Aabb::new(node.min, node.max);
-        let within = slab::clip(&bounds, &q.ray, q.within).map(|inside| part(q.within, inside));
         let triangles = q.triangles.iter_mut().skip(node.first as usize);
         for triangle in triangles.take(node.count as usize) {
-            let &mut Corners { p0, p1, p2 } = triangle;
-            let facet = Facet {
-                corners: [p0, p1, p2],
-                id: 0,
-            };
-            if within
-                .and_then(|within| facet.hit(&q.ray, within))
-                .is_none()
-            {
-                (triangle.p1, triangle.p2) = (p0, p0);
-            }
+            lose_outside(triangle, &bounds, (&q.ray, q.within), part);
         }
     }
 }

@@ -1,5 +1,6 @@
 //! `wide_closest`: random questions, judge and mistakes.
 
+use crate::search::{BEFORE_THE_EXIT, BEHIND_THE_ENTRY, INSIDE, Part, lose_outside};
 use crate::{
     Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::How,
     search::Keeps, search::Node, search::Order, search::Tree, traits,
@@ -9,7 +10,7 @@ use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::inside::bvh::Cost;
 use raybook::inside::wide_bvh::{COST, Link, build as build_wide};
-use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
+use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch07_mesh::Corners;
 use raybook_workbook::exercises::ch24_wide_bvh::{
@@ -359,33 +360,17 @@ impl Graded for WideClosest {
         Mistake {
             name: "tests the triangles of a leaf only between where the ray enters the leaf's box and where the ray leaves it, ends excluded",
             hint: "A flat box is entered and left at the same distance: which distances lie between, and where is the hit?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |_, inside| inside);
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, INSIDE)),
         },
         Mistake {
             name: "tests the triangles of a leaf only behind where the ray enters the leaf's box",
             hint: "A triangle lies in the face by which the ray enters the box: is its distance greater than that of the box?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |within, inside| {
-                        Interval::new(inside.min, within.max)
-                    });
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, BEHIND_THE_ENTRY)),
         },
         Mistake {
             name: "tests the triangles of a leaf only before where the ray leaves the leaf's box",
             hint: "A triangle lies in the face by which the ray leaves the box: is its distance less than that of the face?",
-            answer: |q| {
-                Self::misread(q, |q| {
-                    lose_outside_of_boxes(q, |within, inside| {
-                        Interval::new(within.min, inside.max)
-                    });
-                })
-            },
+            answer: |q| Self::misread(q, |q| lose_outside_of_boxes(q, BEFORE_THE_EXIT)),
         },
         Mistake {
             name: "takes the place of a triangle in its leaf for its number, and tests the triangles from 0 on in each leaf",
@@ -520,21 +505,14 @@ fn search_counting_leaves(q: &WideClosest) -> WideClosestAnswer {
     }
 }
 
-/// Shrinks each triangle in a leaf to a point, unless the ray hits the triangle within a part of the distances that count. The part
-/// is made of these distances and of those at which the ray is inside the leaf's box.
-fn lose_outside_of_boxes(q: &mut WideClosest, part: fn(Interval, Interval) -> Interval) {
+/// Shrinks each triangle in a leaf to a point, unless the ray hits it within a part of the distances that count.
+fn lose_outside_of_boxes(q: &mut WideClosest, part: Part) {
     let children = q.nodes.iter().flat_map(|node| &node.children);
     for child in children.filter(|child| child.leaf != 0) {
         let bounds = Aabb::new(child.min, child.max);
-        let within = slab::clip(&bounds, &q.ray, q.within).map(|inside| part(q.within, inside));
         for &id in &q.leaves[child.index as usize].triangles {
             let triangle = &mut q.triangles[id as usize];
-            let &mut Corners { p0, p1, p2 } = triangle;
-            let corners = [p0, p1, p2];
-            let hit = within.and_then(|within| Facet { corners, id }.hit(&q.ray, within));
-            if hit.is_none() {
-                (triangle.p1, triangle.p2) = (p0, p0);
-            }
+            lose_outside(triangle, &bounds, (&q.ray, q.within), part);
         }
     }
 }

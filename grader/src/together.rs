@@ -12,6 +12,7 @@ use crate::Verdict;
 use glam::Vec2;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
+use std::collections::{BTreeSet, HashMap};
 
 /// Standard deviations by which a sum may be off: more have a probability of 4e-10 (Gauss), as the sums are of thousands of terms.
 const DEVIATIONS: f64 = 6.25;
@@ -181,6 +182,27 @@ pub fn seeds(rng: &mut Pcg, count: u32) -> impl Iterator<Item = u32> {
     (0..count).map(move |i| seed(i).max(1))
 }
 
+/// Who had which coordinate at place 0, 1, 4, 9, …: of hundreds of answers all pairs are too many to be compared number by number, and two
+/// answers that are mostly the same are so at one of these places.
+#[derive(Default)]
+struct Landmarks(HashMap<(usize, usize, u32), Vec<usize>>);
+
+impl Landmarks {
+    /// The earlier answers with which these points have a landmark in common.
+    fn meet(&mut self, answer: usize, points: &[Vec2]) -> BTreeSet<usize> {
+        let mut met = BTreeSet::new();
+        let squares = (0..).map(|root: usize| root * root);
+        for place in squares.take_while(|&place| place < points.len()) {
+            for (axis, number) in points[place].to_array().into_iter().enumerate() {
+                let before = self.0.entry((place, axis, number.to_bits())).or_default();
+                met.extend(before.iter());
+                before.push(answer);
+            }
+        }
+        met
+    }
+}
+
 /// Whether answers to questions of which only the seed differs do differ, in each coordinate. `same` says of two of them whether all else is
 /// the same. That half of eight or more numbers come again has a probability below 1e-14, also if only four digits are printed of them.
 ///
@@ -191,8 +213,10 @@ pub fn seeded<Q>(
     same: impl Fn(&Q, &Q) -> bool,
     seed: impl Fn(&Q) -> u32,
 ) -> Verdict {
+    let mut landmarks = Landmarks::default();
     for (i, (one, points)) in answers.iter().enumerate() {
-        for (other, others) in &answers[..i] {
+        for j in landmarks.meet(i, points) {
+            let (other, others) = &answers[j];
             if seed(one) == seed(other) || !same(one, other) {
                 continue;
             }

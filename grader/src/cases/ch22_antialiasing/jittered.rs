@@ -120,7 +120,7 @@ fn by_cells(q: &Jittered, points: &[Vec2], order: CellOrder) -> Vec<Vec2> {
         }
     };
     let mut points = points.to_vec();
-    points.sort_by_key(cell);
+    points.sort_by_cached_key(cell);
     points
 }
 

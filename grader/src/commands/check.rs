@@ -66,7 +66,7 @@ fn find_smallest(
     if let Some(((examiner, _), report)) = exercises.iter().zip(reports).find(is_wrong) {
         let mut asker = Asker::new(program, limits);
         if let Some(place) = report.place_shown()
-            && ask_alone(&mut asker, *examiner, &mut report.cases[place])?
+            && ask_alone(&mut asker, *examiner, report, place)?
         {
             return Ok(());
         }

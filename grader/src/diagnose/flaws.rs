@@ -6,6 +6,7 @@ use crate::Flaw;
 use crate::examine::Examiner;
 use crate::together::Bounds;
 use std::cmp::Reverse;
+use std::collections::HashSet;
 
 /// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
 const SOME: f64 = 0.25;
@@ -68,13 +69,14 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
         Some((item.case, why))
     };
     let mut complaints: Vec<_> = wrong.iter().filter_map(complaint).collect();
-    if complaints.is_empty() {
-        // Each of them is right, and all of them together are not: as they came, for in another order neighbours are others.
-        let row = |item: &Item| (item.question.clone(), item.raw.clone());
-        let together =
-            examiner.compare_together(&wrong.iter().map(row).collect::<Vec<_>>(), Bounds::CHANCE);
-        let why = together.err()?;
-        complaints = wrong.iter().map(|item| (item.case, why.clone())).collect();
+    let by_itself: HashSet<_> = complaints.iter().map(|(case, _)| *case).collect();
+    let together = wrong.iter().filter(|item| !by_itself.contains(&item.case));
+    let together: Vec<_> = together.collect();
+    // Each of them is right, and all of them together are not: as they came, for in another order neighbours are others.
+    let row = |item: &&Item| (item.question.clone(), item.raw.clone());
+    let rows: Vec<_> = together.iter().map(row).collect();
+    if let Err(why) = examiner.compare_together(&rows, Bounds::CHANCE) {
+        complaints.extend(together.iter().map(|item| (item.case, why.clone())));
     }
     let mut found: Vec<_> = flaws
         .iter()

@@ -22,6 +22,8 @@ pub struct Function {
 enum Takes {
     /// Any number.
     Number,
+    /// A number that may be light, which is neither a length nor an angle.
+    Light,
     /// An angle, or a sine, cosine or tangent.
     Angle,
     /// An angle, whose unit is mistaken.
@@ -52,6 +54,7 @@ impl Function {
         let is_bare = unit.is_empty() && !value.iter().all(counts);
         let is_angle = match self.takes {
             Takes::Number => return true,
+            Takes::Light => return !["m", "rad"].contains(&unit),
             Takes::Angle => unit == "rad" || is_bare,
             Takes::Units => unit == "rad" || is_bare && has_angles,
         };
@@ -95,15 +98,15 @@ functions! {
     12 Number "cuts off what is behind the decimal point", "Look for a conversion to a whole number.": f64::trunc;
     13 Number "rounds the answer to 2 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e2).round() / 1e2;
     13 Number "rounds the answer to 3 digits behind the decimal point", "Is anything rounded before the end?": |v| (v * 1e3).round() / 1e3;
-    13 Number "rounds the answer to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).round() / 255.0;
-    13 Number "rounds the answer down to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).floor() / 255.0;
-    13 Number "rounds the answer down to a whole multiple of 1/256, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor() / 256.0;
-    13 Number "makes a byte of the answer: rounds down 256 times it, 255 at most, and divides by 255", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor().min(255.0) / 255.0;
+    13 Light "rounds the answer to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).round() / 255.0;
+    13 Light "rounds the answer down to a whole multiple of 1/255, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (255.0 * v).floor() / 255.0;
+    13 Light "rounds the answer down to a whole multiple of 1/256, as a byte holds it", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor() / 256.0;
+    13 Light "makes a byte of the answer: rounds down 256 times it, 255 at most, and divides by 255", "Is the answer stored in a byte, or for a moment in one?": |v| (256.0 * v).floor().min(255.0) / 255.0;
     12 Number "returns only what is behind the decimal point", "May the answer be larger than 1?": |v| v - v.floor();
-    12 Number "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
-    12 Number "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
-    12 Number "raises the answer to the power of 1/2.2, as for a display", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(1.0 / 2.2);
-    12 Number "raises the answer to the power of 2.2", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(2.2);
+    12 Light "encodes the answer for a display (sRGB)", "Is the answer meant for a display, or for calculations with light?": |v| encode_srgb(v as f32).into();
+    12 Light "decodes the answer as if it were an sRGB value", "Is the answer meant for a display, or for calculations with light?": |v| decode_srgb(v as f32).into();
+    12 Light "raises the answer to the power of 1/2.2, as for a display", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(1.0 / 2.2);
+    12 Light "raises the answer to the power of 2.2", "Is the answer meant for a display, or for calculations with light?": |v| v.max(0.0).powf(2.2);
     13 Angle "returns the cosine of the answer: a missing arc cosine", "Are you asked for the angle or for its cosine?": f64::cos;
     13 Angle "returns the sine of the answer: a missing arc sine", "Are you asked for the angle or for its sine?": f64::sin;
     13 Angle "returns the tangent of the answer: a missing arc tangent", "Are you asked for the angle or for its tangent?": f64::tan;

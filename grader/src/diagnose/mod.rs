@@ -5,6 +5,7 @@
 //! a question that was misread; what a mistake makes of the right answer, with a number that fits; and two of these, one after the
 //! other, or each in other cases. An answer of several parts may have a mistake in each.
 
+mod beyond;
 mod branch;
 mod component;
 mod cover;
@@ -231,7 +232,7 @@ fn because(mut cause: Diagnosis, seen: Diagnosis) -> Diagnosis {
 fn with_cause(
     evidence: &Evidence<'_>,
     readings: &[Misreading],
-    mut found: Diagnosis,
+    found: Diagnosis,
     whole: Option<&Found>,
     slip: Option<Diagnosis>,
     likely: Option<spread::Likely>,
@@ -268,10 +269,7 @@ fn with_cause(
             Some(cause) => Some(because(cause, found)),
             None => Some(found),
         },
-        cause => {
-            found.also.extend(cause);
-            Some(found)
-        }
+        _ => Some(found),
     }
 }
 
@@ -284,10 +282,13 @@ fn with_rest(evidence: &Evidence<'_>, readings: &[Misreading], found: &Found) ->
         let second = second.told(&rest);
         (second.name != told.name).then_some(second)
     });
-    told.also.extend(second.map(|second| Diagnosis {
+    let second = second.map(|second| Diagnosis {
         certain: false,
         ..second
-    }));
+    });
+    // An own mistake leaves a rest that another one makes; a guess leaves what it does not fit.
+    let where_it_is = || regime::of_rest(evidence, &found.answers).filter(|_| found.is_own());
+    told.also.extend(second.or_else(where_it_is));
     told
 }
 

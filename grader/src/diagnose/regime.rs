@@ -1,6 +1,7 @@
 //! What the questions with a wrong answer have in common, and no others: a number that is 0, a direction along an axis, two points one
 //! above the other, an empty list.
 
+use super::beyond::{self, value};
 use super::evidence::{Evidence, Item};
 use super::{Beside, Diagnosis};
 use crate::layout::{Part, layout, parts};
@@ -25,17 +26,8 @@ pub struct Regime {
 /// Where the answers are wrong, if no mistake is known that gives them.
 pub fn search(evidence: &Evidence<'_>) -> Option<Diagnosis> {
     let words = shared(evidence)?;
-    Some(Diagnosis {
-        name: format!("is wrong where {words}, and only there"),
-        hint: HINT.to_owned(),
-        part: None,
-        certain: false,
-        explained: evidence.wrong,
-        wrong: evidence.wrong,
-        shown: None,
-        beside: Beside::Apart,
-        also: Vec::new(),
-    })
+    let name = format!("is wrong where {words}, and only there");
+    Some(told(name, evidence.wrong, evidence.wrong))
 }
 
 /// Says of what is seen in the wrong answers where it is seen, for then it is no mistake of all answers.
@@ -43,26 +35,71 @@ pub fn add_to(seen: &mut Diagnosis, evidence: &Evidence<'_>) {
     if evidence.wrong < ENOUGH {
         return;
     }
-    if let Some(words) = shared(evidence) {
+    if let Some(words) = property(evidence, &wrong(evidence)) {
         seen.name = format!("{}, but only where {words}", seen.name);
         HINT.clone_into(&mut seen.hint);
     }
 }
 
+/// Of each item, whether its answer is wrong.
+fn wrong(evidence: &Evidence<'_>) -> Vec<bool> {
+    (0..evidence.items.len())
+        .map(|i| i < evidence.wrong)
+        .collect()
+}
+
 /// What the questions with a wrong answer have in common, and no others.
 pub fn shared(evidence: &Evidence<'_>) -> Option<String> {
-    let (wrong, right) = evidence.items.split_at(evidence.wrong);
-    if wrong.is_empty() || right.len() < RIGHT.max(wrong.len()) {
+    apart(evidence, &wrong(evidence))
+}
+
+/// What the questions of these items have in common, and no others: a property, or that they are beyond a limit.
+fn apart(evidence: &Evidence<'_>, inside: &[bool]) -> Option<String> {
+    property(evidence, inside).or_else(|| beyond::search(evidence, inside))
+}
+
+/// The property that the questions of these items have, and no others.
+fn property(evidence: &Evidence<'_>, inside: &[bool]) -> Option<String> {
+    let count = inside.iter().filter(|inside| **inside).count();
+    if count == 0 || inside.len() - count < RIGHT.max(count) {
         return None;
     }
-    let tells = |regime: &Regime| {
-        let (wrong, right) = regime.holds.split_at(wrong.len());
-        wrong.iter().all(|holds| *holds) && !right.contains(&true)
+    let mut regimes = regimes(evidence).into_iter();
+    let found = regimes.find(|regime| regime.holds == inside);
+    found.map(|regime| regime.words)
+}
+
+/// Where the wrong answers are of which these are no explanation.
+pub fn of_rest(evidence: &Evidence<'_>, answers: &[Option<Vec<f64>>]) -> Option<Diagnosis> {
+    let is_left = |i: usize| {
+        i < evidence.wrong
+            && !answers[i]
+                .as_ref()
+                .is_some_and(|answer| evidence.explains(i, answer))
     };
-    regimes(evidence)
-        .into_iter()
-        .find(tells)
-        .map(|regime| regime.words)
+    let left: Vec<_> = (0..evidence.items.len()).map(is_left).collect();
+    let words = apart(evidence, &left)?;
+    let count = left.iter().filter(|left| **left).count();
+    Some(told(
+        format!("goes wrong in another way where {words}"),
+        count,
+        evidence.wrong,
+    ))
+}
+
+/// What is seen in some of the wrong answers.
+fn told(name: String, explained: usize, wrong: usize) -> Diagnosis {
+    Diagnosis {
+        name,
+        hint: HINT.to_owned(),
+        part: None,
+        certain: false,
+        explained,
+        wrong,
+        shown: None,
+        beside: Beside::Apart,
+        also: Vec::new(),
+    }
 }
 
 /// What the questions with a wrong answer have in common, be it that others have it too.
@@ -70,13 +107,6 @@ pub fn of_wrong(evidence: &Evidence<'_>) -> Vec<Regime> {
     let mut all = regimes(evidence);
     all.retain(|regime| regime.holds[..evidence.wrong].iter().all(|holds| *holds));
     all
-}
-
-/// The numbers of a part that is in no list, if it is there.
-fn value(kind: &Kind, part: usize, item: &Item) -> Option<Vec<f64>> {
-    let fields = layout(kind, &item.question);
-    let leaf = fields.of_part(part).next()?;
-    Some(item.question[leaf.range()].to_vec())
 }
 
 fn regimes(evidence: &Evidence<'_>) -> Vec<Regime> {

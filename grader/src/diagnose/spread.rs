@@ -2,10 +2,11 @@
 
 use super::evidence::{Evidence, Item};
 use super::fit::{self, Answers};
+use super::function::COMMON;
 use super::misread::Misreading;
 use super::pairs::Upon;
 use super::search::{golden, misread};
-use super::slips::{Slipped, slipped};
+use super::slips::{RANK, Slipped, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
@@ -97,6 +98,9 @@ impl<'a, 'e> Traits<'a, 'e> {
 
 /// The number of wrong answers that a slip is tried on before it is tried on all.
 const PROBE: usize = 4;
+
+/// The rank of the last slip that is told by traits alone: rarer ones are so many that one comes near by chance.
+const RAREST: u32 = RANK + COMMON + 2;
 
 /// What of the distance may be left in the probe.
 const PROMISING: f64 = 0.6;
@@ -220,7 +224,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         own.position(|(own, _)| own == name)
     };
     near.retain(|one| {
-        let contradicted = |number| is_contradicted(evidence, number);
+        let contradicted = |number| is_contradicted(evidence, number) || !shows(evidence, number);
         one.then.is_some() || !own(&one.name).is_some_and(contradicted)
     });
     let Considered {
@@ -297,6 +301,16 @@ fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
     right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 
+/// Whether half of the wrong answers would be wrong by an own mistake, too: what makes few answers wrong has about the traits of right ones.
+fn shows(evidence: &Evidence<'_>, number: usize) -> bool {
+    let is_wrong = |k: &usize| {
+        let answer = evidence.mistaken(number, *k);
+        answer.is_some_and(|answer| !evidence.is_right(&evidence.items[*k], &answer))
+    };
+    let shown = (0..evidence.wrong).filter(is_wrong).count();
+    2 * shown >= evidence.wrong
+}
+
 /// Two of the exercise's own mistakes, one made upon the other, whose answers have the same traits as the student's, and are much nearer to
 /// these than the answers of each of the two.
 fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Vec<Considered> {
@@ -367,6 +381,7 @@ fn promising(evidence: &Evidence<'_>) -> Vec<Slipped> {
         rest.is_some_and(|rest| rest.norm() <= PROMISING * whole.norm())
     };
     let mut slips = slipped(&probe);
+    slips.retain(|slip| slip.rank <= RAREST);
     slips.sort_by_key(|slip| slip.rank);
     slips.into_iter().filter(is_promising).collect()
 }

@@ -22,7 +22,7 @@ fn a_path_that_cannot_be_read_is_an_error() {
     for (path, said) in [
         ("1 3 12", "chapter 12 (Phong) needs chapter 2"),
         ("1 2 1", "already"),
-        ("1 26", "`26` is the number of no chapter"),
+        ("1 99", "`99` is the number of no chapter"),
         ("1 two", "`two` is the number of no chapter"),
     ] {
         let error = list(path).expect_err("it cannot be read");

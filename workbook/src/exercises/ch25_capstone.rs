@@ -9,7 +9,7 @@ use raybook::scene::description::Description;
 exercises! { ($) ch25_capstone
     /// Return the radiance that comes along a ray through a scene of spheres, planes and triangles, of Phong's
     /// materials, mirrors and glass, in the light of point lamps with their shadows. After `depth` surfaces in a row all
-    /// is black. The book's last chapter has every rule.
+    /// is black. The lesson of the capstone has every rule.
     Trace: trace(
         /// The maximum number of surfaces in a row; beyond them all is black.
         depth: u32,

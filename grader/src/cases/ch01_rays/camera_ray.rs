@@ -1,6 +1,6 @@
 //! `camera_ray`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
@@ -29,6 +29,11 @@ impl Graded for CameraRay {
         judge::point("the ray's origin", golden.origin, got.origin)?;
         judge::direction("the ray's direction", golden.direction, got.direction)
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| CameraRay {
+        focal_point: q.focal_point + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

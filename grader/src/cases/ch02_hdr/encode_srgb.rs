@@ -159,6 +159,36 @@ impl Graded for EncodeSrgb {
             hint: "What is the code value of something below black?",
             answer: |q| curve(q.v.min(1.0), 0.003_130_8, 1.0 / 2.4, 0.055),
         },
+        Mistake {
+            name: "takes 1/2.2 for the exponent of the curve, and does not clamp values above 1",
+            hint: "Which exponent stands in the formula, and which in your program? And what is the code value of something brighter than white?",
+            answer: |q| curve(q.v.max(0.0), 0.003_130_8, 1.0 / 2.2, 0.055),
+        },
+        Mistake {
+            name: "takes 1/2.2 for the exponent of the curve, and does not clamp",
+            hint: "Which exponent stands in the formula, and which in your program? And what are the least and the greatest code values of a display?",
+            answer: |q| curve(q.v, 0.003_130_8, 1.0 / 2.2, 0.055),
+        },
+        Mistake {
+            name: "uses a pure power, a gamma of 2.2, in place of sRGB's curve, and does not clamp values above 1",
+            hint: "sRGB is not a pure power: what is it near black? And what is the code value of something brighter than white?",
+            answer: |q| q.v.max(0.0).powf(1.0 / 2.2),
+        },
+        Mistake {
+            name: "forgets the straight piece near black, and does not clamp values above 1",
+            hint: "Try v = 0: is the code value 0? And what is the code value of something brighter than white?",
+            answer: |q| 1.055 * q.v.max(0.0).powf(1.0 / 2.4) - 0.055,
+        },
+        Mistake {
+            name: "divides v by 2.4, as v^1/2.4 does without brackets",
+            hint: "What does your language calculate first in v^1/2.4: the power or the quotient?",
+            answer: |q| above_the_straight_piece(q, |v| 1.055 * v / 2.4 - 0.055),
+        },
+        Mistake {
+            name: "subtracts the 0.055 from the exponent",
+            hint: "How far does the exponent go: where do its brackets end?",
+            answer: |q| above_the_straight_piece(q, |v| 1.055 * v.powf(1.0 / 2.4 - 0.055)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -134,6 +134,36 @@ impl Graded for Expose {
             hint: "What should an exposure of 0 stops do? And is three stops more 2 · 3, or 2 · 2 · 2?",
             answer: |q| q.radiance * (2.0 * q.stops),
         },
+        Mistake {
+            name: "takes 10^(0.3 · stops) for 2^stops, as with decibels",
+            hint: "Is 10^0.3 exactly 2? By what factor do ten stops change the light, and by what factor does your formula?",
+            answer: |q| q.radiance * 10_f32.powf(0.3 * q.stops),
+        },
+        Mistake {
+            name: "takes e^(0.7 · stops) for 2^stops",
+            hint: "Is e^0.7 exactly 2? By what factor do ten stops change the light, and by what factor does your formula?",
+            answer: |q| q.radiance * (0.7 * q.stops).exp(),
+        },
+        Mistake {
+            name: "takes e^(0.69 · stops) for 2^stops",
+            hint: "Is e^0.69 exactly 2? By what factor do ten stops change the light, and by what factor does your formula?",
+            answer: |q| q.radiance * (0.69 * q.stops).exp(),
+        },
+        Mistake {
+            name: "cuts off the number of stops behind the decimal point",
+            hint: "Half a stop: is the picture as bright as before, twice as bright, or something between?",
+            answer: |q| q.radiance * q.stops.trunc().exp2(),
+        },
+        Mistake {
+            name: "rounds the number of stops down to a whole number",
+            hint: "Half a stop: is the picture as bright as before, twice as bright, or something between?",
+            answer: |q| q.radiance * q.stops.floor().exp2(),
+        },
+        Mistake {
+            name: "takes stops for decibels, ten of which make the light ten times as bright",
+            hint: "By what factor does one stop change the light?",
+            answer: |q| q.radiance * 10_f32.powf(0.1 * q.stops),
+        },
     ];
 }
 

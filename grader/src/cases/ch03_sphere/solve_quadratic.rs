@@ -314,6 +314,36 @@ impl Graded for SolveQuadratic {
                 .map(sorted)
             },
         },
+        Mistake {
+            name: "uses the formula (−h ± √(h² − ac))/a of a·t² + 2h·t + c = 0, and puts b in for h",
+            hint: "Compare a·t² + 2h·t + c with a·t² + b·t + c: what is h?",
+            answer: |q| Self::misread(q, |q| q.b *= 2.0),
+        },
+        Mistake {
+            name: "uses the p-q formula, −p/2 ± √(p²/4 − q), with b and c themselves for p and q",
+            hint: "In t² + p·t + q = 0 nothing stands before t²: how do you get there from a·t² + b·t + c = 0?",
+            answer: |q| Self::misread(q, |q| q.a = if q.a == 0.0 { 0.0 } else { 1.0 }),
+        },
+        Mistake {
+            name: "divides b by a for the p-q formula, −p/2 ± √(p²/4 − q), but not c",
+            hint: "In t² + p·t + q = 0 nothing stands before t²: what becomes of c on the way there?",
+            answer: |q| Self::misread(q, |q| q.c *= q.a),
+        },
+        Mistake {
+            name: "divides c by a for the p-q formula, −p/2 ± √(p²/4 − q), but not b",
+            hint: "In t² + p·t + q = 0 nothing stands before t²: what becomes of b on the way there?",
+            answer: |q| Self::misread(q, |q| q.b *= q.a),
+        },
+        Mistake {
+            name: "takes p²/2 for (p/2)² in the p-q formula, −p/2 ± √((p/2)² − q)",
+            hint: "How large is the square of p/2, for p = 6?",
+            answer: |q| {
+                let (p, product) = (q.b / q.a, q.c / q.a);
+                let root = (0.5 * p * p - product).sqrt();
+                let is_real = q.a != 0.0 && root.is_finite();
+                is_real.then(|| vec2(-0.5 * p - root, -0.5 * p + root))
+            },
+        },
     ];
 }
 

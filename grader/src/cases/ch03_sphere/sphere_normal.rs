@@ -186,6 +186,35 @@ impl Graded for SphereNormal {
                 n.with_z(n.z.abs())
             },
         },
+        Mistake {
+            name: "normalises approximately, as n (3 − n·n)/2, which is right only for lengths near 1",
+            hint: "How long is your normal for a vector of length 2, and for one of length 4?",
+            answer: |q| {
+                let way = q.p - q.center;
+                way * (1.5 - 0.5 * way.length_squared())
+            },
+        },
+        Mistake {
+            name: "normalises approximately, as 2 n/(1 + n·n), which is right only for lengths near 1",
+            hint: "How long is your normal for a vector of length 2, and for one of length 4?",
+            answer: |q| {
+                let way = q.p - q.center;
+                2.0 * way / (1.0 + way.length_squared())
+            },
+        },
+        Mistake {
+            name: "takes the fast inverse square root, whose one step leaves an error of up to 0.2 %",
+            hint: "How long is your normal, to four digits? What would a second step make of it?",
+            answer: |q| {
+                let way = q.p - q.center;
+                way * fast_inverse_root(way.length_squared())
+            },
+        },
+        Mistake {
+            name: "returns the gradient of |p − c|², which is 2 (p − c), without normalising it",
+            hint: "The gradient points in the normal's direction: how long is it, and how long is a normal?",
+            answer: |q| 2.0 * (q.p - q.center),
+        },
     ];
 }
 
@@ -216,4 +245,10 @@ fn by_quotient(q: &SphereNormal, [over, under]: [usize; 2], upright: Upright) ->
         (n[under], n[over]) = (-n[under], -n[over]);
     }
     n
+}
+
+/// About 1/√x: a guess by the bits of x, and one step of Newton's method.
+fn fast_inverse_root(x: f32) -> f32 {
+    let guess = f32::from_bits(0x5f37_59df_u32.wrapping_sub(x.to_bits() >> 1));
+    guess * (1.5 - 0.5 * x * guess * guess)
 }

@@ -1,5 +1,6 @@
 //! `mesh_hit`: random questions, judge and mistakes.
 
+use super::place;
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -12,7 +13,7 @@ impl Graded for MeshHit {
     fn random(rng: &mut Pcg) -> MeshHit {
         let count = rng.random_range(2..7);
         let corners = |rng: &mut Pcg| std::array::from_fn(|_| sample::point(rng, 2.5));
-        let triangles = (0..count)
+        let mut triangles = (0..count)
             .map(|_| {
                 let [p0, p1, p2] = corners(rng);
                 Corners { p0, p1, p2 }
@@ -20,6 +21,17 @@ impl Graded for MeshHit {
             .collect::<Vec<_>>();
         let origin = sample::point(rng, 3.0);
         let ray = sample::ray(origin, sample::point(rng, 1.0) - origin);
+        // In one question in two the ray passes through all triangles, so that their order counts.
+        if rng.random_bool(0.5) {
+            for Corners { p0, p1, p2 } in &mut triangles {
+                let b = place(rng);
+                let from = *p0 + b.x * (*p1 - *p0) + b.y * (*p2 - *p0);
+                let by = ray.at(sample::number(rng, 2.0, 4.0)) - from;
+                for p in [p0, p1, p2] {
+                    *p += by;
+                }
+            }
+        }
         // One interval in two begins ahead of the ray's origin or behind it, and all triangles may be behind it, too.
         let (ray, min) = if rng.random_bool(0.5) {
             let origin = ray.at(sample::number(rng, 0.0, 6.0));
@@ -45,17 +57,10 @@ impl Graded for MeshHit {
         judge::nearest(golden.as_ref(), got.as_ref())
     }
 
-    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| {
-        let moved = |t: &Corners| Corners {
-            p0: t.p0 + sample::METRE,
-            p1: t.p1 + sample::METRE,
-            p2: t.p2 + sample::METRE,
-        };
-        MeshHit {
-            ray: sample::moved(&q.ray),
-            triangles: q.triangles.iter().map(moved).collect(),
-            ..q.clone()
-        }
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| MeshHit {
+        ray: sample::moved(&q.ray),
+        triangles: q.triangles.iter().map(sample::moved_triangle).collect(),
+        ..q.clone()
     })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[

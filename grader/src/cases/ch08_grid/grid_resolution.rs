@@ -349,6 +349,21 @@ impl Graded for GridResolution {
             hint: "2.1 is nearer to 2 than to 3, and what does your rule make of 2.0?",
             answer: |q| rounded(share(q), |n| n.floor() + 1.0),
         },
+        Mistake {
+            name: "cuts only the longest axis where any axis is too thin to be cut",
+            hint: "A flat box is thin along one axis: how many of its axes are cut?",
+            answer: |q| all_axes_or_one(q, f64::round),
+        },
+        Mistake {
+            name: "cuts only the longest axis where any axis is too thin to be cut, and rounds down",
+            hint: "A flat box is thin along one axis: how many of its axes are cut? And is 2.9 nearer to 2 or to 3?",
+            answer: |q| all_axes_or_one(q, f64::floor),
+        },
+        Mistake {
+            name: "calculates the number of cells for each axis by itself, as the extent times the cube root of λ",
+            hint: "How many cells are there in all, for the same λ and twice as many shapes?",
+            answer: |q| whole(q.extents * q.density.cbrt()),
+        },
     ];
 }
 
@@ -467,4 +482,29 @@ fn by_side(q: &GridResolution, side: fn(&[f64], &[f64], f64) -> f64) -> Cell {
         }
     }
     whole(Vec3::ONE)
+}
+
+/// All three axes cut, or only the longest where one of them would get less than one cell, as a program with numbers of double precision rounds.
+fn all_axes_or_one(q: &GridResolution, round: fn(f64) -> f64) -> Cell {
+    let thick = thick(q);
+    let thick = if thick == Vec3::ONE || thick == Vec3::ZERO {
+        thick
+    } else {
+        Vec3::AXES[q.extents.max_position()]
+    };
+    let content: f64 = (0..3)
+        .filter(|&i| thick[i] > 0.0)
+        .map(|i| f64::from(q.extents[i]))
+        .product();
+    let cells = f64::from(q.density) * f64::from(q.shapes);
+    let side = (content / cells).powf(1.0 / f64::from(thick.element_sum()));
+    let [x, y, z] = [0, 1, 2].map(|i| {
+        let along = f64::from(q.extents[i]) / side;
+        if thick[i] > 0.0 {
+            round(along).max(1.0) as u32
+        } else {
+            1
+        }
+    });
+    Cell { x, y, z }
 }

@@ -5,15 +5,15 @@ mod walks;
 
 use crate::{Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
-use marching::{MARCHES, MARCHES_HINT, SHORT, less_than_a_step, marched};
+use marching::{MARCHES, MARCHES_HINT, SHORT, less_than_a_step, looked_up, marched};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use walks::{
-    ADDING, Adding, added, ahead, beyond, by_distance, in_front, in_lattice, nearest, stuck,
-    student, walked, without_xy, without_xz, without_yz, z_before_y,
+    ADDING, Adding, added, ahead, beyond, by_distance, by_layers, in_front, in_lattice, nearest,
+    numbered, stuck, student, walked, without_xy, without_xz, without_yz, z_before_y,
 };
 
 impl Graded for GridWalk {
@@ -471,6 +471,46 @@ impl Graded for GridWalk {
             name: MARCHES,
             hint: MARCHES_HINT,
             answer: |q| marched(q, 0.02 * f64::from(q.cell.min_element())),
+        },
+        Mistake {
+            name: "looks for the ray's cell in steps as long as the smallest extent of a cell, and misses cells in which the ray stays shorter",
+            hint: "A ray may only cut off a cell's corner: how long does it stay there, and does any of your steps end there?",
+            answer: |q| looked_up(q, f64::from(q.cell.min_element())),
+        },
+        Mistake {
+            name: "looks for the ray's cell in steps half as long as the smallest extent of a cell, and misses cells in which the ray stays shorter",
+            hint: "A ray may only cut off a cell's corner: how long does it stay there, and does any of your steps end there?",
+            answer: |q| looked_up(q, 0.5 * f64::from(q.cell.min_element())),
+        },
+        Mistake {
+            name: "looks for the ray's cell in steps a quarter as long as the smallest extent of a cell, and misses cells in which the ray stays shorter",
+            hint: "A ray may only cut off a cell's corner: how long does it stay there, and does any of your steps end there?",
+            answer: |q| looked_up(q, 0.25 * f64::from(q.cell.min_element())),
+        },
+        Mistake {
+            name: "looks for the ray's cell in steps a tenth as long as the smallest extent of a cell, and misses cells in which the ray stays shorter",
+            hint: "A ray may only cut off a cell's corner: how long does it stay there, and does any of your steps end there?",
+            answer: |q| looked_up(q, 0.1 * f64::from(q.cell.min_element())),
+        },
+        Mistake {
+            name: "looks for the ray's cell in steps of 0.1 m, and misses cells in which the ray stays shorter",
+            hint: "A ray may only cut off a cell's corner: how long does it stay there, and does any of your steps end there?",
+            answer: |q| looked_up(q, 0.1),
+        },
+        Mistake {
+            name: "takes one cell in each layer along the axis on which the ray advances fastest, as lines of pixels are drawn",
+            hint: "Between two planes across one axis: may the ray cross a plane of another axis, too?",
+            answer: by_layers,
+        },
+        Mistake {
+            name: "lists the cells by their numbers, x first, not in the order of the ray",
+            hint: "A ray that goes left enters cell 3 before cell 2: in which order does your loop find them?",
+            answer: |q| numbered(q, |visit| [visit.x, visit.y, visit.z]),
+        },
+        Mistake {
+            name: "lists the cells by their numbers, z first, not in the order of the ray",
+            hint: "A ray that goes left enters cell 3 before cell 2: in which order does your loop find them?",
+            answer: |q| numbered(q, |visit| [visit.z, visit.y, visit.x]),
         },
     ];
 

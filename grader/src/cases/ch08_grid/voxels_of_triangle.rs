@@ -3,7 +3,7 @@
 mod overlaps;
 mod points;
 
-use crate::{Flaw, Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use overlaps::{
     along_x, along_z, around, cuts_an_edge, in_rows, is_parted_by_edges, kept, of_lattice,
@@ -123,6 +123,14 @@ impl Graded for VoxelsOfTriangle {
             hint: "Do you put points of the triangle into cells? Between two of them the triangle goes on: can it cut off the corner of a cell there? If you do not, which of your bounds is too narrow?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| VoxelsOfTriangle {
+        min: q.min + sample::METRE,
+        p0: q.p0 + sample::METRE,
+        p1: q.p1 + sample::METRE,
+        p2: q.p2 + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

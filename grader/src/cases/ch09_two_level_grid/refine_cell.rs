@@ -2,7 +2,7 @@
 
 mod refinements;
 
-use crate::{Flaw, Graded, Mistake, Verdict, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, sample};
 use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::inside::grid::Lattice;
@@ -151,6 +151,19 @@ impl Graded for RefineCell {
             hint: "A shape may reach several cells, and beyond the coarse cell: does your test find it in all of them?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| {
+        let moved = |shape: &Corners| Corners {
+            min: shape.min + sample::METRE,
+            max: shape.max + sample::METRE,
+        };
+        RefineCell {
+            min: q.min + sample::METRE,
+            max: q.max + sample::METRE,
+            shapes: q.shapes.iter().map(moved).collect(),
+            ..q.clone()
+        }
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -3,7 +3,7 @@
 mod walks;
 
 use crate::{
-    Flaw, Graded, Mistake, Verdict,
+    Flaw, Graded, Mistake, Relation, Verdict,
     passage::{self, passage},
     sample,
 };
@@ -111,6 +111,13 @@ impl Graded for TwoLevelWalk {
         passage::MISSING,
         passage::NOTHING,
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| TwoLevelWalk {
+        ray: sample::moved(&q.ray),
+        min: q.min + sample::METRE,
+        max: q.max + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -1,6 +1,6 @@
 //! `octree_child`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Verdict, sample};
+use crate::{Graded, Mistake, Relation, Verdict, sample};
 use glam::{Vec3, vec3};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch10_octree::OctreeChild;
@@ -46,6 +46,12 @@ impl Graded for OctreeChild {
             half(*golden, axis)
         ))
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| OctreeChild {
+        min: q.min + sample::METRE,
+        max: q.max + sample::METRE,
+        p: q.p + sample::METRE,
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

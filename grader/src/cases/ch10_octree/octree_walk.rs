@@ -4,7 +4,7 @@ mod walks;
 
 use super::octree_tree::{inner, leaf};
 use crate::{
-    Flaw, Graded, Mistake, Verdict,
+    Flaw, Graded, Mistake, Relation, Verdict,
     passage::{self, passage},
     sample,
 };
@@ -119,6 +119,13 @@ impl Graded for OctreeWalk {
         passage::MISSING,
         passage::NOTHING,
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| OctreeWalk {
+        ray: sample::moved(&q.ray),
+        min: q.min + sample::METRE,
+        max: q.max + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

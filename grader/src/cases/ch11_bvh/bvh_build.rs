@@ -11,7 +11,7 @@ use super::builders::{
 use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
 use super::{center, crowd, cube, heaps, no_dearer, tree};
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use rand::RngExt;
 use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
@@ -270,6 +270,11 @@ impl Graded for BvhBuild {
             hint: "Of each cut: is its cost the area of a side's box times the number of boxes in it, summed over both sides? Do you try all three axes and all places between the sorted centres, and take the least?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| BvhBuild {
+        boxes: q.boxes.iter().map(sample::moved_box).collect(),
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -5,8 +5,8 @@ mod walk;
 use super::tree;
 use crate::search::{BEFORE_THE_EXIT, BEHIND_THE_ENTRY, INSIDE, Part, lose_outside};
 use crate::{
-    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::Found,
-    search::How, search::Keeps, search::Node, search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample, search, search::By,
+    search::Found, search::How, search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use raybook::accel::bvh::build::Method;
@@ -64,6 +64,20 @@ impl Graded for BvhClosest {
     const EFFORT: usize = 2;
 
     const FLAWS: &'static [Flaw] = search::FLAWS;
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| {
+        let moved = |node: &NodeRow| NodeRow {
+            min: node.min + sample::METRE,
+            max: node.max + sample::METRE,
+            ..node.clone()
+        };
+        BvhClosest {
+            ray: sample::moved(&q.ray),
+            nodes: q.nodes.iter().map(moved).collect(),
+            triangles: q.triangles.iter().map(sample::moved_triangle).collect(),
+            ..q.clone()
+        }
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

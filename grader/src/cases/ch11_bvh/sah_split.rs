@@ -3,7 +3,7 @@
 mod choices;
 
 use super::{area, around, center, crowd, heaps, no_dearer, whole_less_left};
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use choices::{
     between_buckets, cheapest, cut_with, fewer_faces, least, longest, once, sorted_again, split,
     sum,
@@ -135,6 +135,10 @@ impl Graded for SahSplit {
             hint: "Of each cut: is its cost the area of a side's box times the number of boxes in it, summed over both sides? Do you try all three axes and all places between the sorted centres, and take the least?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| SahSplit {
+        boxes: q.boxes.iter().map(sample::moved_box).collect(),
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -216,6 +216,39 @@ impl Graded for PhongExercise {
             hint: "Put the light below the surface: does anything of it arrive?",
             answer: |q| PhongExercise::right(q) + ambient(&q.at),
         },
+        Mistake {
+            name: "takes Schlick's quotient x/(α − αx + x) for the power x^α of the highlight",
+            hint: "The quotient is a fast approximation, right for x = 0 and x = 1: how large is each of both for x = 0.9?",
+            answer: |q| {
+                let x = mirrored(&q.at).dot(*q.at.view).max(0.0);
+                let quotient = x / (q.at.exponent * (1.0 - x) + x);
+                with_highlight(&q.at, if x > 0.0 { quotient } else { 0.0 })
+            },
+        },
+        Mistake {
+            name: "takes a bell curve of the angle, e^(−α θ²/2), for the power of its cosine",
+            hint: "The bell curve comes near to the power: for which angles, and what does the formula say?",
+            answer: |q| {
+                let x = mirrored(&q.at).dot(*q.at.view);
+                let angle = x.clamp(-1.0, 1.0).acos();
+                let bell = (-0.5 * q.at.exponent * angle * angle).exp();
+                with_highlight(&q.at, if x > 0.0 { bell } else { 0.0 })
+            },
+        },
+        Mistake {
+            name: "multiplies the angle by the exponent, and takes the cosine of that",
+            hint: "Which of the two has the exponent: the angle, or its cosine?",
+            answer: |q| {
+                let x = mirrored(&q.at).dot(*q.at.view);
+                let angle = x.clamp(-1.0, 1.0).acos();
+                with_highlight(&q.at, (q.at.exponent * angle).cos().max(0.0))
+            },
+        },
+        Mistake {
+            name: "cuts off the exponent behind the decimal point, as a loop of products does",
+            hint: "How often does your loop go round for an exponent of 2.5?",
+            answer: |q| Self::misread(q, |q| q.at.exponent = q.at.exponent.floor()),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

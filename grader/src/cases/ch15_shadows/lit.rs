@@ -98,17 +98,23 @@ impl Graded for Lit {
         };
         let distance = sample::number(rng, 4.0, 8.0);
         let other = |rng: &mut Pcg| loop {
-            // In the way, behind the light, or behind the point.
-            let along = [0.5, 1.4, 1.4, -0.8][rng.random_range(0..4)] * distance;
             let radius = sample::number(rng, 0.4, 0.9);
-            let aside = sample::point(rng, 0.7);
-            // The way may start anywhere within some errors of the position: that must not decide whether it meets the ball.
-            let passes = aside.reject_from_normalized(*toward).length();
-            if (passes - radius).abs() > 4.0 * error {
-                break Ball {
-                    center: position + along * *toward + aside,
-                    radius,
-                };
+            // In the way, behind the light, behind the point, or at the light, which may be inside.
+            let along = match rng.random_range(0..6) {
+                0 => 0.5 * distance,
+                1 | 2 => 1.4 * distance,
+                3 => -0.8 * distance,
+                _ => distance + sample::number(rng, -0.5, 1.5) * radius,
+            };
+            let center = position + along * *toward + sample::point(rng, 0.7);
+            let ball = Ball { center, radius };
+            // The way may start anywhere within some errors of the position, and end so: that must not decide whether it meets the ball.
+            let foot = (center - position).dot(*toward);
+            let passes = (center - position).reject_from_normalized(*toward).length();
+            let half = (radius * radius - passes * passes).max(0.0).sqrt();
+            let ends = [foot - half, foot + half].map(|t| (t - distance).abs());
+            if (passes - radius).abs() > 4.0 * error && ends.iter().all(|end| *end > 20.0 * error) {
+                break ball;
             }
         };
         let mut spheres = vec![other(rng), other(rng)];
@@ -408,5 +414,60 @@ impl Graded for Lit {
             hint: "Of the angle to the middle and of the angle to the rim, which function do you compare: the same one of both?",
             answer: |q| by_cones(q, |[sine, _], rim| sine < rim / (1.0 - rim * rim).sqrt()),
         },
+        Mistake {
+            name: "compares the distance of a sphere's middle with that of the light, not the distance of the hit",
+            hint: "A sphere begins before its middle: can it be in the way although its middle is farther away than the light?",
+            answer: |q| by_distances(q, |away, _| away),
+        },
+        Mistake {
+            name: "takes the distance to the nearest point of a sphere for that to the hit",
+            hint: "The way may pass a sphere's middle at some distance: does it meet the sphere at the nearest point?",
+            answer: |q| by_distances(q, |away, radius| away - radius),
+        },
+        Mistake {
+            name: "keeps the answer for the last sphere only",
+            hint: "The first sphere is in the way, and the last one is not: what does your variable hold after the loop?",
+            answer: |q| {
+                let rest = q.spheres.len().saturating_sub(1);
+                Self::misread(q, |q| drop(q.spheres.drain(..rest)))
+            },
+        },
+        Mistake {
+            name: "says that the light arrives unless all spheres are in the way",
+            hint: "One sphere in the way, and another one beside it: is the point lit? Which word is it, any or all?",
+            answer: |q| 1 - u32::from(hiding(q) == q.spheres.len()),
+        },
+        Mistake {
+            name: "lets two spheres in the way cancel each other, as two negations do",
+            hint: "A second sphere behind the first: does the light come back?",
+            answer: |q| 1 - (hiding(q) % 2) as u32,
+        },
     ];
+}
+
+/// How many of the spheres are in the way.
+fn hiding(q: &Lit) -> usize {
+    let is_hiding = |ball: &&Ball| {
+        let spheres = vec![(*ball).clone()];
+        let alone = Lit {
+            spheres,
+            ..q.clone()
+        };
+        Lit::right(&alone) == 0
+    };
+    q.spheres.iter().filter(is_hiding).count()
+}
+
+/// The answer if the spheres that the line to the light meets are in the way by a distance that is less than the light's, of the distance to a
+/// sphere's middle and of the radius. A way that begins inside of a sphere is always blocked.
+fn by_distances(q: &Lit, distance: fn(f32, f32) -> f32) -> u32 {
+    let start = shadow(q).origin;
+    let is_hiding = |ball: &Ball| {
+        let to = ball.center - start;
+        let (away, along) = (to.length(), to.dot(*q.toward));
+        let aside = (to - along * *q.toward).length();
+        let is_met = along > 0.0 && aside < ball.radius;
+        away < ball.radius || is_met && distance(away, ball.radius) < q.distance
+    };
+    u32::from(!q.spheres.iter().any(is_hiding))
 }

@@ -1,7 +1,7 @@
 //! `shadow_ray`: random questions, judge and mistakes.
 
 use super::way::{aimed_anew, ends_before, starts_off};
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
+use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg};
@@ -198,6 +198,11 @@ impl Graded for ShadowRay {
             hint: "From where to where does the ray go?",
         },
     ];
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| ShadowRay {
+        position: q.position + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

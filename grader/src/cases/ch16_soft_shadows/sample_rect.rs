@@ -254,6 +254,36 @@ impl Graded for SampleRect {
             hint: "The light has four corners: into which of them do your places come?",
             answer: |q| chosen_rect(q, |u| if u.element_sum() > 1.0 { 1.0 - u } else { u }),
         },
+        Mistake {
+            name: "takes the distance to the light's middle in the density of every sample",
+            hint: "Each sample has a distance of its own: from where to where is the distance in your density?",
+            answer: |q| {
+                let way = q.corner + 0.5 * (q.a + q.b) - q.at;
+                spoil_rect(q, |cosine, _| way.length_squared() / (area(q) * cosine))
+            },
+        },
+        Mistake {
+            name: "takes the distance to the light's corner in the density of every sample",
+            hint: "Each sample has a distance of its own: from where to where is the distance in your density?",
+            answer: |q| {
+                let square = q.corner.distance_squared(q.at);
+                spoil_rect(q, |cosine, _| square / (area(q) * cosine))
+            },
+        },
+        Mistake {
+            name: "multiplies the density by the cosine at the light, and does not divide by it",
+            hint: "A light that is seen from the side fills fewer directions: are they then denser, or less dense?",
+            answer: |q| spoil_rect(q, |cosine, chosen| chosen.pdf * cosine * cosine),
+        },
+        Mistake {
+            name: "takes the cosine at the light's corner, whatever the sample",
+            hint: "Each sample has a distance and a cosine of its own: which direction is the cosine of?",
+            answer: |q| {
+                let way = q.corner - q.at;
+                let cosine = -way.dot(q.a.cross(q.b).normalize_or_zero()) / way.length();
+                spoil_rect(q, |_, chosen| chosen.distance.powi(2) / (area(q) * cosine))
+            },
+        },
     ];
 }
 

@@ -147,14 +147,19 @@ impl Graded for VisibleFraction {
         leanings::together(answers, bounds)
     }
 
-    /// One question again and again; then others, for who is in doubt.
+    /// One question again and again; then others, for who is in doubt, of which the fractions tell much of the light's edges.
     fn further(rng: &mut Pcg) -> Vec<VisibleFraction> {
         let mut questions = leanings::again();
-        questions.resize_with(64, || Self::random(rng));
+        questions.resize_with(64, || leanings::telling(|| Self::random(rng)));
         questions
     }
 
     const FLAWS: &'static [Flaw] = &[
+        Flaw {
+            complaint: "were left out",
+            name: "chooses places near to an edge of the light never or too seldom, at one edge, at two or on all sides, which no single answer shows",
+            hint: "From where to where do your two random numbers go: do they come close to 0, and to 1? By what are they multiplied, and what is added to them?",
+        },
         Flaw {
             complaint: "near to the point",
             name: "counts samples near to the point more than others, or less, which no single answer shows",

@@ -61,6 +61,92 @@ fn fills(q: &CosineHemisphere, got: &[Vec3]) -> Verdict {
     Ok(())
 }
 
+/// What is wrong if many directions, but no more than half of them, are at one height. Every point of the square has a height of its own; by Shirley
+/// and Chiu's map (1997) two or four may have the same one.
+fn crowd(q: &CosineHemisphere, got: &[Vec3]) -> Option<String> {
+    const MANY: usize = 5;
+    /// What single precision and printing leave of the same cos²θ. That of neighbours among 1000 directions differs by a hundred times as much.
+    const SAME: f64 = 1e-5;
+    let square = |d: &Vec3| f64::from(d.dot(*q.normal)).powi(2);
+    let mut squares: Vec<_> = got.iter().map(square).collect();
+    squares.sort_by(f64::total_cmp);
+    let at = |i: usize| squares[i..].partition_point(|v| *v < squares[i] + SAME);
+    let most = (0..squares.len()).max_by_key(|i| at(*i))?;
+    let count = at(most);
+    let height = squares[most].min(1.0).sqrt().asin().to_degrees();
+    (MANY..=got.len() / 2).contains(&count).then(|| {
+        format!(
+            "{count} of {} directions are at one height, {height:.1}° over the horizon",
+            got.len()
+        )
+    })
+}
+
+/// Whether the angle round the normal grows from height to height by steps that are not always longer or shorter than the one before by the same amount, as
+/// those of i² are. Those of the task's number are equal, and those of Shirley and Chiu's map (1997) have no rule.
+fn by_equal_steps(local: &[Vec3]) -> Verdict {
+    let n = local.len() as f32;
+    let mut sorted = local.to_vec();
+    sorted.sort_by(|a, b| b.z.total_cmp(&a.z));
+    let turns = sorted.iter().map(|d| d.y.atan2(d.x) / TAU);
+    let turns: Vec<_> = turns.collect();
+    let wrapped = |turn: f32| turn - turn.round();
+    let more = |three: &[f32]| wrapped(three[2] - 2.0 * three[1] + three[0]);
+    let mut more = turns.windows(3).map(more);
+    let Some(first) = more.next() else {
+        return Ok(());
+    };
+    // The steps of i²/n, the smallest that are likely, differ by 2/n.
+    if first.abs() < 1.0 / n || more.any(|more| wrapped(more - first).abs() > 0.25 / n) {
+        return Ok(());
+    }
+    Err(format!(
+        "from height to height, each step of the angle differs by {:.3} of a turn from the step before: that is a square of i",
+        first.abs()
+    ))
+}
+
+/// Whether directions, in coordinates whose z is the normal, are distributed by its cosine.
+fn distributed(local: &[Vec3]) -> Verdict {
+    const BOUND: f32 = 0.08;
+    let expected = local.len();
+    let mean = |f: fn(&Vec3) -> f32| local.iter().map(f).sum::<f32>() / expected as f32;
+    // Round the normal first: who does not go evenly round has no right heights either, where the axes beside it are wrong.
+    for (name, got, exact) in [
+        ("the mean to one side", mean(|d| d.x), 0.0),
+        ("the mean to the other side", mean(|d| d.y), 0.0),
+        (
+            "the mean of (x² − y²)/2",
+            mean(|d| 0.5 * (d.x * d.x - d.y * d.y)),
+            0.0,
+        ),
+        ("the mean of xy", mean(|d| d.x * d.y), 0.0),
+        ("the mean of cos θ", mean(|d| d.z), 2.0 / 3.0),
+        ("the mean of cos²θ", mean(|d| d.z * d.z), 0.5),
+    ] {
+        if (got - exact).abs() > BOUND {
+            return Err(format!(
+                "{name} is {got:.3} and should be {exact:.3} (x and y are perpendicular to the normal)"
+            ));
+        }
+    }
+    // cos²θ ≤ h has the probability h: the disc's area outside the radius √(1 − h).
+    let mut heights: Vec<_> = local.iter().map(|d| d.z * d.z).collect();
+    heights.sort_by(f32::total_cmp);
+    for (i, h) in heights.iter().enumerate() {
+        let (below, up_to) = (i as f32 / expected as f32, (i + 1) as f32 / expected as f32);
+        if below - h > BOUND || h - up_to > BOUND {
+            let degrees = h.clamp(0.0, 1.0).sqrt().asin().to_degrees();
+            return Err(format!(
+                "{:.0} % of the directions are less than {degrees:.0}° above the surface; {:.0} % should be",
+                100.0 * below,
+                100.0 * h
+            ));
+        }
+    }
+    Ok(())
+}
+
 /// What is wrong where all heights are half a step of the lattice off, and what leads to it.
 const TOO_STEEP: &str = "leaves out the halves of the lattice, or takes 1 for them, so that all directions are a little too steep";
 const TOO_FLAT: &str = "leaves out the halves of the lattice, or takes 1 for them, so that all directions are a little too flat";
@@ -96,7 +182,6 @@ impl Graded for CosineHemisphere {
     /// shares are right to 0.071. The nearest mistakes, which spread the angle evenly and which use a number twice, are off by 0.095 in a
     /// share, and by 0.12 in a mean.
     fn judge(q: &CosineHemisphere, _golden: &Vec<Vec3>, got: &Vec<Vec3>) -> Verdict {
-        const BOUND: f32 = 0.08;
         let expected = q.n as usize;
         if got.len() != expected {
             return Err(format!(
@@ -119,41 +204,8 @@ impl Graded for CosineHemisphere {
                 return Err(format!("direction {i} points {below:.1}° into the surface"));
             }
         }
-        let mean = |f: fn(&Vec3) -> f32| local.iter().map(f).sum::<f32>() / expected as f32;
-        // Round the normal first: who does not go evenly round has no right heights either, where the axes beside it are wrong.
-        for (name, got, exact) in [
-            ("the mean to one side", mean(|d| d.x), 0.0),
-            ("the mean to the other side", mean(|d| d.y), 0.0),
-            (
-                "the mean of (x² − y²)/2",
-                mean(|d| 0.5 * (d.x * d.x - d.y * d.y)),
-                0.0,
-            ),
-            ("the mean of xy", mean(|d| d.x * d.y), 0.0),
-            ("the mean of cos θ", mean(|d| d.z), 2.0 / 3.0),
-            ("the mean of cos²θ", mean(|d| d.z * d.z), 0.5),
-        ] {
-            if (got - exact).abs() > BOUND {
-                return Err(format!(
-                    "{name} is {got:.3} and should be {exact:.3} (x and y are perpendicular to the normal)"
-                ));
-            }
-        }
-        // cos²θ ≤ h has the probability h: the disc's area outside the radius √(1 − h).
-        let mut heights: Vec<_> = local.iter().map(|d| d.z * d.z).collect();
-        heights.sort_by(f32::total_cmp);
-        for (i, h) in heights.iter().enumerate() {
-            let (below, up_to) = (i as f32 / expected as f32, (i + 1) as f32 / expected as f32);
-            if below - h > BOUND || h - up_to > BOUND {
-                let degrees = h.clamp(0.0, 1.0).sqrt().asin().to_degrees();
-                return Err(format!(
-                    "{:.0} % of the directions are less than {degrees:.0}° above the surface; {:.0} % should be",
-                    100.0 * below,
-                    100.0 * h
-                ));
-            }
-        }
-        Ok(())
+        by_equal_steps(&local)?;
+        distributed(&local).map_err(|why| crowd(q, got).unwrap_or(why))
     }
 
     /// In many answers the errors of their lattices cancel, behind which another power of the cosine hides in each.
@@ -163,6 +215,9 @@ impl Graded for CosineHemisphere {
     fn together(answers: &[(CosineHemisphere, Vec<Vec3>)], _: Bounds) -> Verdict {
         if answers.len() < RANDOM_CASES {
             return Ok(());
+        }
+        if let Some(why) = answers.iter().find_map(|(q, got)| crowd(q, got)) {
+            return Err(why);
         }
         let of_one = |(q, got): &(CosineHemisphere, Vec<Vec3>)| -> Vec<f64> {
             got.iter().map(|d| q.normal.dot(*d).into()).collect()
@@ -223,6 +278,16 @@ impl Graded for CosineHemisphere {
             complaint: "into the surface",
             name: "points into the surface",
             hint: "Is your third axis the normal, or something else? Is your height along the normal positive?",
+        },
+        Flaw {
+            complaint: "at one height",
+            name: "puts many directions at one height, as if a number were clamped there",
+            hint: "Every point of the square has a height of its own: is your radius or your cosine kept below a limit, or above one? What becomes of the points beyond it?",
+        },
+        Flaw {
+            complaint: "a square of i",
+            name: "makes the second number of the square, or the angle, of i² and not of i itself",
+            hint: "By how much does the second number of the square grow from one i to the next: always by the same?",
         },
         Flaw {
             complaint: "round the normal",
@@ -537,6 +602,16 @@ impl Graded for CosineHemisphere {
             name: "adds a point of the unit sphere to a vector that is a little shorter than the normal, such as 0.9 normals",
             hint: "Where must the middle of the sphere be, so that the surface touches it? Which points of yours lie below the surface?",
             answer: |q| around(q, |u| lifted(0.9, u)),
+        },
+        Mistake {
+            name: "keeps the radius on the disc at 0.9 or below it",
+            hint: "Which of your directions are the flattest? What becomes of the points of the disc near its rim?",
+            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u.min(0.81)).sqrt()),
+        },
+        Mistake {
+            name: "takes the fourth root of a uniform number for the cosine",
+            hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
+            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u).powf(0.25)),
         },
     ];
 }

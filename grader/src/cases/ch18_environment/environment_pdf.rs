@@ -3,8 +3,8 @@
 mod densities;
 
 use self::densities::{
-    OfDensity, between, by_own_sine, by_sines, in_the_dark, is_at_pole, neighbour, quarters,
-    rounded, tenth,
+    OfDensity, between, by_own_sine, by_sines, from_the_middle, in_the_dark, is_at_pole, neighbour,
+    quarters, rounded, tenth,
 };
 use super::{OfMap, cell, toward};
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
@@ -401,6 +401,37 @@ impl Graded for EnvironmentPdf {
                 let all = q.map().all_light();
                 if all > 0.0 {
                     Self::right(q) + tenth(q) / all as f32
+                } else {
+                    0.0
+                }
+            },
+        },
+        Mistake {
+            name: "lets the density within a texel go with the inverse of the direction's sine, and has it right in the middle of the row",
+            hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
+            answer: from_the_middle,
+        },
+        Mistake {
+            name: "counts the columns from the right",
+            hint: "On which side of the map is +x?",
+            answer: |q| {
+                let d = q.direction;
+                Self::misread(q, |q| q.direction = toward(-d.x, d.y, d.z))
+            },
+        },
+        Mistake {
+            name: "divides by the solid angle of the whole row, not by that of a texel",
+            hint: "How many texels share the solid angle of a row?",
+            answer: |q| Self::right(q) / q.width as f32,
+        },
+        Mistake {
+            name: "adds the light of the direction's row only, not of all rows",
+            hint: "A density's integral over all directions is 1: what is that of yours?",
+            answer: |q| {
+                let (map, (x, y)) = (q.map(), q.texel());
+                let row: f64 = (0..q.width as usize).map(|x| map.texel(x, y)).sum();
+                if row > 0.0 {
+                    (map.texel(x, y) / row / map.solid_angle(y)) as f32
                 } else {
                     0.0
                 }

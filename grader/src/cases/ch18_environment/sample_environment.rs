@@ -15,7 +15,7 @@ use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
 use samplers::{
     Asked, by_angle, by_solid_angle, cut_off, direction, elsewhere, in_one_list, in_rows, listed,
-    of_row, raised, rest_of_number, sine,
+    of_row, raised, rest_of_number, sine, sine_from_end_to_end, sine_without_ends,
 };
 
 impl Graded for SampleEnvironment {
@@ -565,6 +565,59 @@ impl Graded for SampleEnvironment {
                         q.light(x, y) / of_row(q, y).max(1e-30) * most
                     },
                     by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs row y by sin(π (y + 1)/(height + 1))",
+            hint: "How large is the solid angle of your first row? From which angle to which does it go, and which share of the rows is that?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y) * sine_without_ends(q, y),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs row y by sin(π (y + 1)/(height + 1)) (in one list of all texels)",
+            hint: "How large is the solid angle of your first row? From which angle to which does it go, and which share of the rows is that?",
+            answer: |q| {
+                listed(
+                    q,
+                    |q, x, y| q.texel(x, y) * sine_without_ends(q, y),
+                    rest_of_number,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs row y by sin(π y/(height − 1)), and so nearly never chooses the first row and the last",
+            hint: "How large is the solid angle of your first row? From which angle to which does it go, and which share of the rows is that?",
+            answer: |q| {
+                q.sampled(
+                    |q, x, y| q.texel(x, y) * sine_from_end_to_end(q, y),
+                    by_solid_angle,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs row y by sin(π y/(height − 1)), and so nearly never chooses the first row and the last (in one list of all texels)",
+            hint: "How large is the solid angle of your first row? From which angle to which does it go, and which share of the rows is that?",
+            answer: |q| {
+                listed(
+                    q,
+                    |q, x, y| q.texel(x, y) * sine_from_end_to_end(q, y),
+                    rest_of_number,
+                )
+            },
+        },
+        Mistake {
+            name: "weighs a row by the root of its sine (in one list of all texels)",
+            hint: "What does a texel of each row weigh: its radiance times which solid angle?",
+            answer: |q| {
+                listed(
+                    q,
+                    |q, x, y| q.texel(x, y) * sine(q, y, 0.5).sqrt(),
+                    rest_of_number,
                 )
             },
         },

@@ -6,7 +6,7 @@ use crate::examine::RANDOM_CASES;
 use crate::together::{Bounds, widest_gap};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use glam::{Vec2, vec2};
-use maps::{by_angle, by_sides, half_chord, in_disc, mapped, shifted};
+use maps::{by_angle, by_quotients, by_sides, half_chord, in_disc, mapped, remainder, shifted};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::sample::disk::concentric_disk;
@@ -32,6 +32,19 @@ fn evenly_outwards<'a>(points: impl Iterator<Item = &'a Vec2>, bound: f32) -> Ve
         }
     }
     Ok(())
+}
+
+/// What is wrong if points fill a smaller disc as evenly as they should fill the unit disc.
+fn is_smaller<'a>(points: impl Iterator<Item = &'a Vec2> + Clone, bound: f32) -> Option<String> {
+    let radius = points.clone().map(|p| p.length()).fold(0.0, f32::max);
+    if 1.0 - radius * radius <= bound {
+        return None;
+    }
+    let larger: Vec<_> = points.map(|p| *p / radius).collect();
+    let is_even = evenly_outwards(larger.iter(), bound).is_ok();
+    is_even.then(|| {
+        format!("no point is more than {radius:.3} from the middle: the rim of the unit disc is not reached")
+    })
 }
 
 /// Whether an arc between any two angles has its share of the points, but for `bound` (Kuiper 1960: wherever angles count from).
@@ -119,7 +132,8 @@ impl Graded for ConcentricDisk {
         judge::scattered("points", got)?;
         let bound = BOUND * (ENOUGH as f32 / n as f32).sqrt().max(1.0);
         // The radius first: with a wrong one no mean is right, however evenly the points go round.
-        evenly_outwards(got.iter(), bound)?;
+        evenly_outwards(got.iter(), bound)
+            .map_err(|why| is_smaller(got.iter(), bound).unwrap_or(why))?;
         let mean = |f: fn(Vec2) -> f32| got.iter().map(|p| f(*p)).sum::<f32>() / n as f32;
         // Of a few points, the squares and the angles tell nothing.
         let all = if n < ENOUGH { 2 } else { 7 };
@@ -167,9 +181,10 @@ impl Graded for ConcentricDisk {
         if lattices().count() < RANDOM_CASES {
             return Ok(());
         }
-        evenly_outwards(lattices().flat_map(|(_, points)| points), OUTWARDS)?;
-        evenly_round(lattices().flat_map(|(_, points)| points), ROUND)?;
         let all = lattices().flat_map(|(_, points)| points);
+        evenly_outwards(all.clone(), OUTWARDS)
+            .map_err(|why| is_smaller(all.clone(), OUTWARDS).unwrap_or(why))?;
+        evenly_round(all.clone(), ROUND)?;
         fills(all.clone(), POINTS / all.count() as f64)
     }
 
@@ -199,6 +214,11 @@ impl Graded for ConcentricDisk {
             complaint: "outside the disc",
             name: "leaves the disc",
             hint: "How large may the radius be?",
+        },
+        Flaw {
+            complaint: "rim of the unit disc is not reached",
+            name: "makes a disc that is too small, so that a ring at the rim of the unit disc stays empty",
+            hint: "How far from the middle is your farthest point? By what is your radius multiplied or divided?",
         },
         Flaw {
             complaint: "each is to be chosen by itself",
@@ -252,7 +272,7 @@ impl Graded for ConcentricDisk {
             answer: |q| mapped(q, |u| FRAC_1_SQRT_2 * (2.0 * u - 1.0)),
         },
         Mistake {
-            name: "draws the square's corners in along straight lines",
+            name: "keeps the angle of each point of the square from −1 to 1, and takes the larger of |x| and |y| for its distance from the middle",
             hint: "On a side of the square, are equal steps equal angles, seen from the middle?",
             answer: |q| {
                 mapped(q, |u| {
@@ -505,6 +525,58 @@ impl Graded for ConcentricDisk {
                     p.x.hypot(p.y * half_chord(p.x)) * p.normalize_or_zero()
                 })
             },
+        },
+        Mistake {
+            name: "takes a remainder that is negative for the fractional part",
+            hint: "In your language, what is the remainder of −0.1 divided by 1? On which side does a point come in that leaves the square on the left?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, _| remainder(moved));
+                })
+            },
+        },
+        Mistake {
+            name: "takes a remainder for the fractional part, and 0 where it is negative",
+            hint: "In your language, what is the remainder of −0.1 divided by 1? On which side does a point come in that leaves the square on the left?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, _| remainder(moved).max(Vec2::ZERO));
+                })
+            },
+        },
+        Mistake {
+            name: "takes a remainder for the fractional part, and 0 where it is negative (by radius and angle)",
+            hint: "In your language, what is the remainder of −0.1 divided by 1? On which side does a point come in that leaves the square on the left?",
+            answer: |q| {
+                // Elsewhere it is one right answer or the other.
+                if q.shift.x >= 0.0 && q.shift.y >= 0.0 {
+                    return Self::right(q);
+                }
+                in_disc(q, |how| {
+                    how.points = |q| shifted(q, |moved, _| remainder(moved).max(Vec2::ZERO));
+                    how.map = by_angle;
+                })
+            },
+        },
+        Mistake {
+            name: "squares the quotient in the angle above and below",
+            hint: "On the square's upper side, are equal steps equal angles? What is the quotient a/b halfway to a corner, and the angle there?",
+            answer: |q| mapped(q, |u| by_quotients(u, |v| v, |v| v * v.abs())),
+        },
+        Mistake {
+            name: "squares the quotient in the angle on the left and on the right",
+            hint: "On the square's right side, are equal steps equal angles? What is the quotient b/a halfway to a corner, and the angle there?",
+            answer: |q| mapped(q, |u| by_quotients(u, |v| v * v.abs(), |v| v)),
+        },
+        Mistake {
+            name: "squares the quotients in both angles",
+            hint: "On a side of the square, are equal steps equal angles? What is the quotient halfway to a corner, and the angle there?",
+            answer: |q| mapped(q, |u| by_quotients(u, |v| v * v.abs(), |v| v * v.abs())),
+        },
+        Mistake {
+            name: "takes the quotient itself for the angle, without π/4",
+            hint: "In a corner of the square the quotient is 1: which angle has the corner?",
+            answer: |q| mapped(q, |u| by_quotients(u, |v| v / FRAC_PI_4, |v| v / FRAC_PI_4)),
         },
     ];
 }

@@ -1,6 +1,6 @@
 //! `thin_lens_ray`: random questions, judge and mistakes.
 
-use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
+use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use glam::{Vec2, Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -96,6 +96,11 @@ impl Graded for ThinLensRay {
         }
         Ok(())
     }
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| ThinLensRay {
+        lens_middle: q.lens_middle + sample::METRE,
+        ..q.clone()
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

@@ -161,6 +161,55 @@ fn scattered(places: &[Vec2]) -> Verdict {
     points::independent(BOTH, places.iter().copied(), Bounds::CHANCE)
 }
 
+/// The rows and columns of cells at the square's edges, in words.
+const AT_THE_EDGES: [[&str; 2]; 2] = [["first column", "last column"], ["first row", "last row"]];
+
+/// Whether places are chosen in the rows and columns of cells at the square's edges as they are in the others, if they are anywhere in these. Eight
+/// distributions are compared, each of which chance makes as uneven with 5e-11: 4e-10 in all.
+fn same_at_the_edges(answers: &[(Jittered, Vec<Vec2>)], bounds: Bounds) -> Verdict {
+    let (mut inner, mut edges) = (Vec::new(), [const { [const { Vec::new() }; 2] }; 2]);
+    for (q, got) in answers {
+        let last = vec2(q.columns as f32, q.rows as f32) - 1.0;
+        for (p, place) in got.iter().zip(places(q, got)) {
+            let cell = ((last + 1.0) * *p).floor().min(last);
+            let mut is_inner = true;
+            for axis in [0, 1] {
+                for (end, at) in [0.0, last[axis]].into_iter().enumerate() {
+                    if cell[axis] == at {
+                        edges[axis][end].push(place);
+                        is_inner = false;
+                    }
+                }
+            }
+            if is_inner {
+                inner.push(place);
+            }
+        }
+    }
+    let along = |places: &[Vec2], axis: usize| {
+        let what = [LEFT_TO_RIGHT, TOP_TO_BOTTOM][axis];
+        points::uniform(what, places.iter().map(|place| place[axis]), bounds)
+    };
+    for axis in [0, 1] {
+        if along(&inner, axis).is_err() {
+            continue;
+        }
+        let ends = edges.iter().zip(AT_THE_EDGES);
+        let ends = ends.flat_map(|(places, names)| places.iter().zip(names));
+        for (places, name) in ends {
+            if along(places, axis).is_err() {
+                let sum: f32 = places.iter().map(|place| place[axis]).sum();
+                return Err(format!(
+                    "in the {name} of cells, {} is {:.2} on average: other places are chosen there than in the cells within",
+                    [LEFT_TO_RIGHT, TOP_TO_BOTTOM][axis],
+                    sum / places.len().max(1) as f32
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
 impl Graded for Jittered {
     fn random(rng: &mut Pcg) -> Jittered {
         Jittered {
@@ -183,6 +232,7 @@ impl Graded for Jittered {
     fn together(answers: &[(Jittered, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         let same = |a: &Jittered, b: &Jittered| (a.columns, a.rows) == (b.columns, b.rows);
         together::seeded(answers, same, |q| q.seed)?;
+        same_at_the_edges(answers, bounds)?;
         let in_order = |order: CellOrder| {
             let sorted = |(q, got): &(Jittered, Vec<Vec2>)| places(q, &by_cells(q, got, order));
             answers.iter().map(sorted).collect::<Vec<_>>()
@@ -243,6 +293,11 @@ impl Graded for Jittered {
             ..points::UNEVEN
         },
         points::TOGETHER,
+        Flaw {
+            complaint: "than in the cells within",
+            name: "chooses other places in the cells at an edge of the square, in the first or last row or column, than in the others",
+            hint: "Is there a condition for the first or the last row or column of cells? Is anything clamped to the square there?",
+        },
         Flaw {
             complaint: "its mirror image",
             name: "spreads the places in the cells more evenly than chance does",
@@ -468,6 +523,25 @@ impl Graded for Jittered {
             name: "crowds the points around the middle of their cells, as a normal distribution does",
             hint: "Is a place at the edge of a cell as likely as one in the middle?",
             answer: |q| cells(q, |cell, count, u| (cell + of_a_bell(u)) / count),
+        },
+        Mistake {
+            name: "divides by one less than the number of columns and of rows",
+            hint: "Where does the last cell end: at 1, or beyond it?",
+            answer: |q| {
+                cells(q, |cell, count, u| {
+                    (cell + u) / (count - 1.0).max(Vec2::ONE)
+                })
+            },
+        },
+        Mistake {
+            name: "fills nine tenths of each cell only, from its first corner on",
+            hint: "Can your point be anywhere in its cell, near all of its edges?",
+            answer: |q| cells(q, |cell, count, u| (cell + 0.9 * u) / count),
+        },
+        Mistake {
+            name: "divides the random part along x by the number of rows, and that along y by the number of columns",
+            hint: "How wide is a cell, and how high? By how much of that may its point move along each axis?",
+            answer: |q| cells(q, |cell, count, u| cell / count + u / count.yx()),
         },
     ];
 }

@@ -28,6 +28,25 @@ const ENOUGH: usize = 100;
 /// As many points as show that a tenth of the square is left out: the deviation is 0.1, and may be 3.16/√n.
 const LONG: usize = 1000;
 
+/// Whether a number of a point comes again in the other coordinate of the next point.
+fn uses_each_once(answers: &[(RandomPattern, Vec<Vec2>)]) -> Verdict {
+    /// What single precision and printing round.
+    const SAME: f32 = 2e-6;
+    for (one, other) in [(1, 0), (0, 1)] {
+        let pairs = || answers.iter().flat_map(|(_, points)| points.windows(2));
+        let again = pairs().filter(|two| (two[0][one] - two[1][other]).abs() < SAME);
+        // By chance it is one pair in 250,000.
+        if 2 * again.count() > pairs().count() {
+            let names = ["x", "y"];
+            return Err(format!(
+                "{} of most points is {} of the point after them: a random number is used in two points",
+                names[one], names[other]
+            ));
+        }
+    }
+    Ok(())
+}
+
 impl Graded for RandomPattern {
     fn random(rng: &mut Pcg) -> RandomPattern {
         RandomPattern {
@@ -60,6 +79,7 @@ impl Graded for RandomPattern {
 
     fn together(answers: &[(RandomPattern, Vec<Vec2>)], bounds: Bounds) -> Verdict {
         together::seeded(answers, |_, _| true, |q| q.seed)?;
+        uses_each_once(answers)?;
         let lists: Vec<_> = answers.iter().map(|(_, points)| points).collect();
         points::together(&lists, ["x", "y"], "x and y", bounds)?;
         let names = [
@@ -123,6 +143,11 @@ impl Graded for RandomPattern {
             hint: "May a point lie in a corner of the square?",
         },
         points::SEED,
+        Flaw {
+            complaint: "is used in two points",
+            name: "takes a coordinate of each point for the other coordinate of the next one: y for x, or x for y",
+            hint: "How many random numbers do n points need, and how many do you draw?",
+        },
         points::SERIAL,
     ];
 
@@ -275,6 +300,21 @@ impl Graded for RandomPattern {
             name: "takes whole numbers, 0 or 1",
             hint: "In how many different places of the square are your points?",
             answer: |q| each(q, Vec2::round),
+        },
+        Mistake {
+            name: "takes one of a hundred places along each axis",
+            hint: "How many different values do your coordinates have? Numbers that are rounded to two digits are not all numbers.",
+            answer: |q| each(q, |u| (100.0 * u).floor() / 100.0),
+        },
+        Mistake {
+            name: "fills a triangle: one half of the square, up to its diagonal",
+            hint: "Is a point near the corner (1, 1) as likely as one near (0, 0)?",
+            answer: |q| each(q, |u| if u.element_sum() > 1.0 { 1.0 - u } else { u }),
+        },
+        Mistake {
+            name: "takes 1 − x for y",
+            hint: "Draw your points: do they fill the square, or lie on a line?",
+            answer: |q| each(q, |u| vec2(u.x, 1.0 - u.x)),
         },
     ];
 }

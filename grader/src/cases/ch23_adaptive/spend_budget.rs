@@ -433,5 +433,52 @@ impl Graded for SpendBudget {
             hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
             answer: |q| first_ones(q, &best_for(q, f32::sqrt)),
         },
+        Mistake {
+            name: "gives each further sample to the pixel with the largest σ²/n, not to the one whose σ²/n it lowers most",
+            hint: "Two pixels have the same σ²/n, one of 2 samples and one of 20: for which of them does another sample lower it more?",
+            answer: |q| one_by_one(q, |d, n| d * d / n),
+        },
+        Mistake {
+            name: "gives each further sample to the pixel whose σ/√n it lowers most, not to the one whose σ²/n it lowers most",
+            hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
+            answer: |q| one_by_one(q, |d, n| d * (1.0 / n.sqrt() - 1.0 / (n + 1.0).sqrt())),
+        },
+        Mistake {
+            name: "shares half of the budget equally, and the other half in proportion",
+            hint: "Two pixels without a minimum, one with twice the deviation of the other: has the noisier one twice the samples?",
+            answer: |q| {
+                let (pixels, sum) = (q.deviations.len(), q.deviations.iter().sum::<f32>());
+                let half = 0.5 * q.budget as f32;
+                let share = |d: &f32| {
+                    let own = if sum > 0.0 {
+                        half * d / sum
+                    } else {
+                        half / pixels as f32
+                    };
+                    (half / pixels as f32 + own).max(q.least as f32)
+                };
+                largest_remainders(q, &q.deviations.iter().map(share).collect::<Vec<_>>())
+            },
+        },
     ];
+}
+
+/// The minimum for each pixel, and each further sample to the one that has it most urgently by its deviation and its samples; of equal ones to
+/// the first.
+fn one_by_one(q: &SpendBudget, urgency: fn(f64, f64) -> f64) -> Vec<u32> {
+    /// More samples are not handed out one by one: a misread question may have any budget.
+    const MOST: u32 = 100_000;
+    let mut counts = vec![q.least; q.deviations.len()];
+    let left = q.budget.saturating_sub(counts.iter().sum()).min(MOST);
+    let urgent = |d: &f32, n: u32| urgency(f64::from(*d), f64::from(n).max(1e-9));
+    let mut urgencies: Vec<_> = q.deviations.iter().map(|d| urgent(d, q.least)).collect();
+    for _ in 0..left {
+        let most = urgencies.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let Some(i) = urgencies.iter().position(|one| *one == most) else {
+            break;
+        };
+        counts[i] += 1;
+        urgencies[i] = urgent(&q.deviations[i], counts[i]);
+    }
+    counts
 }

@@ -2,8 +2,8 @@
 
 use crate::search::{BEFORE_THE_EXIT, BEHIND_THE_ENTRY, INSIDE, Part, lose_outside};
 use crate::{
-    Flaw, Graded, Mistake, Picture, Verdict, judge, sample, search, search::By, search::How,
-    search::Keeps, search::Node, search::Order, search::Tree, traits,
+    Flaw, Graded, Mistake, Picture, Relation, Verdict, judge, sample, search, search::By,
+    search::How, search::Keeps, search::Node, search::Order, search::Tree, traits,
 };
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -88,6 +88,19 @@ impl Graded for WideClosest {
     const EFFORT: usize = 2;
 
     const FLAWS: &'static [Flaw] = search::FLAWS;
+
+    const RELATIONS: &'static [Relation<Self>] = &[Relation::moved(|q| {
+        let mut moved = q.clone();
+        for child in moved.nodes.iter_mut().flat_map(|node| &mut node.children) {
+            child.min += sample::METRE;
+            child.max += sample::METRE;
+        }
+        WideClosest {
+            ray: sample::moved(&q.ray),
+            triangles: q.triangles.iter().map(sample::moved_triangle).collect(),
+            ..moved
+        }
+    })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
         Mistake {

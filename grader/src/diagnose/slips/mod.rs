@@ -13,7 +13,7 @@ use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Walked, Way};
 use crate::explain::{Explainer, find};
 pub use fitted::fitted;
-use possible::RANK;
+pub use possible::RANK;
 use std::collections::HashMap;
 use std::hash::{DefaultHasher, Hash, Hasher};
 

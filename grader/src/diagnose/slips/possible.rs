@@ -12,7 +12,7 @@ use std::borrow::Cow;
 use std::cmp::Reverse;
 
 /// A slip is told only if nothing simpler explains the answers as well.
-pub(super) const RANK: u32 = 14;
+pub const RANK: u32 = 14;
 
 /// A way with a slip may be this many times as long as the longest without, and this many steps longer.
 const LONGER: (usize, usize) = (20, 1000);
@@ -96,15 +96,15 @@ pub(super) fn slips(
         });
     };
     let has_angles = steps.iter().any(|(step, _)| step.unit == "rad");
-    // Yes and no, or one number or two, are explained by some rare function of some step by chance.
-    let rarest = if evidence.tells_much() {
-        u32::MAX
-    } else {
-        RAREST
-    };
     // What is wrong in one case only, or one answer for all that are wrong, is a branch's, and by chance that of many a function; but not
     // of one that leaves most numbers as they are.
     let is_one = evidence.wrong == 1 || evidence.is_one_answer();
+    // Yes and no, or one number or two, are explained by some rare function of some step by chance, and one yes or no by any.
+    let rarest = match (evidence.tells_much(), evidence.wrong == 1) {
+        (true, _) => u32::MAX,
+        (false, false) => RAREST,
+        (false, true) => 0,
+    };
     // Of yes and no a decision or a loop is rather wrong than a number.
     let seldom = if evidence.tells_much() { 0 } else { 2 };
     for (step, hint) in steps {

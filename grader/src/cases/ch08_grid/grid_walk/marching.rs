@@ -18,40 +18,60 @@ pub(super) const SHORT: &str = "less than half a cell";
 /// The walk in steps of this length, from where the ray enters the lattice or the interval begins. A visit ends at the first step in another
 /// cell, and the last one where the ray leaves the lattice or the interval ends.
 pub(super) fn marched(q: &GridWalk, step: f64) -> Vec<Visit> {
+    let stays = stays(q, step, 0.0).into_iter();
+    let visit = |(UVec3 { x, y, z }, leave): (UVec3, f64)| {
+        let leave = leave as f32;
+        Visit { x, y, z, leave }
+    };
+    stays.map(visit).collect()
+}
+
+/// The cells that such steps find, each with the distance at which the ray leaves the cell.
+pub(super) fn looked_up(q: &GridWalk, step: f64) -> Vec<Visit> {
+    /// Students begin a little behind the plane through which the ray enters.
+    const INSIDE: f64 = 1e-6;
+    let lattice = q.lattice();
+    let visit = |(cell, next): (UVec3, f64)| {
+        let stay = slab::clip(&lattice.bounds_of(cell, cell), &q.ray, q.within);
+        let leave = stay.map_or(next as f32, |stay| stay.max);
+        let UVec3 { x, y, z } = cell;
+        Visit { x, y, z, leave }
+    };
+    stays(q, step, INSIDE).into_iter().map(visit).collect()
+}
+
+/// The cells in which such steps end, the first one this far inside, and each with the first step in another cell.
+fn stays(q: &GridWalk, step: f64, inside: f64) -> Vec<(UVec3, f64)> {
     /// More steps are not taken: a misread question may have cells of no extent.
     const MOST: usize = 100_000;
     let lattice = q.lattice();
-    let Some(inside) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
+    let Some(part) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
         return Vec::new();
     };
-    let [from, to] = [inside.min, inside.max].map(f64::from);
+    let [from, to] = [part.min, part.max].map(f64::from);
     let (o, d) = (q.ray.origin.as_dvec3(), q.ray.direction.as_dvec3());
     let cell_at = |t: f64| {
         let place = (o + t * d - lattice.min.as_dvec3()) / lattice.cell.as_dvec3();
         let last = lattice.resolution - 1;
         place.as_uvec3().min(last)
     };
-    let visit = |UVec3 { x, y, z }: UVec3, leave: f64| {
-        let leave = leave as f32;
-        Visit { x, y, z, leave }
-    };
-    let mut visits = Vec::new();
+    let mut stays = Vec::new();
     let add = |t: &f64| Some(t + step);
-    let mut steps = std::iter::successors(Some(from), add)
+    let mut steps = std::iter::successors(Some(from + inside), add)
         .take_while(|t| *t < to)
         .take(MOST);
     let Some(mut cell) = steps.next().map(cell_at) else {
-        return visits;
+        return stays;
     };
     for t in steps {
         let next = cell_at(t);
         if next != cell {
-            visits.push(visit(cell, t));
+            stays.push((cell, t));
             cell = next;
         }
     }
-    visits.push(visit(cell, to));
-    visits
+    stays.push((cell, to));
+    stays
 }
 
 /// What is wrong with a walk that may be such a one, by steps shorter than half a cell: its cells are some of the right ones, in the same order;

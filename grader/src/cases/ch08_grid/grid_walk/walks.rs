@@ -144,6 +144,37 @@ pub(super) fn in_lattice(q: &GridWalk, chosen: fn([f32; 3]) -> Option<usize>) ->
     added(&inside, &Adding { chosen, ..ADDING })
 }
 
+/// One cell in each layer of the lattice along the axis on which the ray advances fastest, in cells: the one where the ray is halfway through.
+pub(super) fn by_layers(q: &GridWalk) -> Vec<Visit> {
+    let lattice: Lattice = q.lattice();
+    let Some(inside) = slab::clip(&lattice.bounds(), &q.ray, q.within) else {
+        return Vec::new();
+    };
+    let axis = (*q.ray.direction / lattice.cell).abs().max_position();
+    let crossed = |i: u32| {
+        let plane = lattice.min[axis] + i as f32 * lattice.cell[axis];
+        (plane - q.ray.origin[axis]) / q.ray.direction[axis]
+    };
+    let planes = (0..=lattice.resolution[axis]).map(crossed);
+    let mut ends: Vec<_> = planes.filter(|t| inside.contains(*t)).collect();
+    ends.sort_by(f32::total_cmp);
+    ends.push(inside.max);
+    let mut enter = inside.min;
+    let visit = |leave: f32| {
+        let UVec3 { x, y, z } = lattice.cell_at(q.ray.at(0.5 * (enter + leave)));
+        enter = leave;
+        Visit { x, y, z, leave }
+    };
+    ends.into_iter().map(visit).collect()
+}
+
+/// The right visits in the order of numbers of their cells.
+pub(super) fn numbered(q: &GridWalk, number: fn(&Visit) -> [u32; 3]) -> Vec<Visit> {
+    let mut visits = GridWalk::right(q);
+    visits.sort_by_key(number);
+    visits
+}
+
 /// A walk on which the cell changes along some axes only.
 pub(super) fn stuck(q: &GridWalk, moves: [bool; 3]) -> Vec<Visit> {
     let is_clipped = true;

@@ -65,6 +65,14 @@ pub(super) fn by_own_sine(q: &EnvironmentPdf) -> f32 {
     (on_map / (2.0 * PI * PI * sine)) as f32
 }
 
+/// The right density in the middle of the texel's row, and elsewhere in inverse proportion to the sine at the direction.
+pub(super) fn from_the_middle(q: &EnvironmentPdf) -> f32 {
+    let sine = q.direction.x.hypot(q.direction.z).max(1e-6);
+    let row = q.texel().1 as f32 + 0.5;
+    let middle = (std::f32::consts::PI * row / q.height as f32).sin();
+    EnvironmentPdf::right(q) * (middle / sine)
+}
+
 pub(super) fn is_at_pole(q: &EnvironmentPdf) -> bool {
     q.direction.x == 0.0 && q.direction.z == 0.0
 }

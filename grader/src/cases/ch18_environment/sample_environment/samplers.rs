@@ -59,6 +59,18 @@ pub(super) fn sine(q: &SampleEnvironment, row: usize, place: f64) -> f64 {
     angle.sin().abs()
 }
 
+/// The sine at (y + 1)/(height + 1) of the way from pole to pole.
+pub(super) fn sine_without_ends(q: &SampleEnvironment, row: usize) -> f64 {
+    let way = (row + 1) as f64 / f64::from(q.height + 1);
+    (std::f64::consts::PI * way).sin()
+}
+
+/// The sine at y/(height − 1) of the way from pole to pole.
+pub(super) fn sine_from_end_to_end(q: &SampleEnvironment, row: usize) -> f64 {
+    let way = row as f64 / f64::from(q.height.max(2) - 1);
+    (std::f64::consts::PI * way).sin().abs()
+}
+
 /// What a texel counts for, if something is added to the radiance of each.
 pub(super) fn raised(q: &SampleEnvironment, x: usize, y: usize, by: f64) -> f64 {
     (q.texel(x, y) + by) * q.solid_angle(y)

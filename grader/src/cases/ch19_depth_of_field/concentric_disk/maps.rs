@@ -47,6 +47,23 @@ pub(super) fn by_sides(a: f32, b: f32) -> (f32, f32) {
     }
 }
 
+/// The concentric map, if the quotients b/a on the left and the right and a/b above and below are changed.
+pub(super) fn by_quotients(u: Vec2, beside: fn(f32) -> f32, above: fn(f32) -> f32) -> Vec2 {
+    let (a, b) = (2.0 * u - 1.0).into();
+    if a.abs() > b.abs() {
+        a * Vec2::from_angle(FRAC_PI_4 * beside(b / a))
+    } else if b == 0.0 {
+        Vec2::ZERO
+    } else {
+        b * Vec2::from_angle(FRAC_PI_2 - FRAC_PI_4 * above(a / b))
+    }
+}
+
+/// The remainder of a division by 1, as C has it: with the sign of the number.
+pub(super) fn remainder(moved: Vec2) -> Vec2 {
+    moved % 1.0
+}
+
 /// The points of the square where some rule puts them, which is told where the shift moves them and where they should be.
 pub(super) fn shifted(q: &ConcentricDisk, place: fn(Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
     let lattice = ConcentricDisk {

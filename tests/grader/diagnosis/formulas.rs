@@ -165,8 +165,8 @@ fn who_lets_the_last_of_several_decide_is_told_so_before_two_mistakes() {
         let last = &q[q.len() - 4..];
         Some(call(&[&q[..11], &[1.0], last].concat()))
     });
-    let told = "looks at the last of the list only (center)";
-    assert_eq!((&*found.name, found.certain), (told, false));
+    let told = "keeps the answer for the last sphere only";
+    assert_eq!((&*found.name, found.certain), (told, true));
 }
 
 #[test]

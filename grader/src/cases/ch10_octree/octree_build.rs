@@ -18,32 +18,14 @@ impl Graded for OctreeBuild {
     fn random(rng: &mut Pcg) -> OctreeBuild {
         let min = sample::point(rng, 3.0);
         let size = sample::number(rng, 1.0, 4.0);
-        // In one question in two larger shapes reach several cells on each level, so that the limit on copies counts below the root.
-        let is_large = rng.random_bool(0.5);
-        let (largest, spread, far) = if is_large {
-            (0.3, 0.2, 0.5)
-        } else {
-            (0.08, 0.1, 0.6)
-        };
-        // No product of a few quotients of small numbers: rounding must not decide whether a cut is allowed.
-        let (copies, depth) = if is_large {
-            ([3.5137, 4.5137][rng.random_range(0..2_usize)], 3)
-        } else {
-            let copies = [1.2, 2.0137, 7.9873][rng.random_range(0..3_usize)];
-            (copies, rng.random_range(1..4))
-        };
         // Half of the shapes in one corner, so that depth matters.
-        let crowd = min + size * Vec3::splat(sample::number(rng, 0.1, far));
-        let anywhere = f32::min(0.9, 1.0 - largest);
+        let crowd = min + size * Vec3::splat(sample::number(rng, 0.1, 0.6));
         let shapes = (0..rng.random_range(6..11))
             .map(|i| {
-                let place = sample::point(rng, 0.5) + 0.5;
-                let least = if i % 2 == 0 {
-                    crowd + size * spread * place
-                } else {
-                    min + size * anywhere * place
-                };
-                let extent = size * largest * (sample::point(rng, 0.5) + 0.5);
+                let anywhere = min + size * (0.9 * (sample::point(rng, 0.5) + 0.5));
+                let near = crowd + size * (0.1 * (sample::point(rng, 0.5) + 0.5));
+                let least = if i % 2 == 0 { near } else { anywhere };
+                let extent = size * 0.08 * (sample::point(rng, 0.5) + 0.5);
                 Corners {
                     min: least,
                     max: least + extent,
@@ -54,8 +36,9 @@ impl Graded for OctreeBuild {
             min,
             max: min + size,
             opening: 1.0,
-            copies,
-            depth,
+            // No product of a few quotients of small numbers: rounding must not decide whether a cut is allowed.
+            copies: [1.2, 2.0137, 7.9873][rng.random_range(0..3_usize)],
+            depth: rng.random_range(1..4),
             shapes,
         }
     }

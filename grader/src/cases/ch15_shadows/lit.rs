@@ -420,22 +420,12 @@ impl Graded for Lit {
             answer: |q| by_distances(q, |away, _| away),
         },
         Mistake {
-            name: "takes the distance to the nearest point of a sphere for that to the hit",
-            hint: "The way may pass a sphere's middle at some distance: does it meet the sphere at the nearest point?",
-            answer: |q| by_distances(q, |away, radius| away - radius),
-        },
-        Mistake {
             name: "keeps the answer for the last sphere only",
             hint: "The first sphere is in the way, and the last one is not: what does your variable hold after the loop?",
             answer: |q| {
                 let rest = q.spheres.len().saturating_sub(1);
                 Self::misread(q, |q| drop(q.spheres.drain(..rest)))
             },
-        },
-        Mistake {
-            name: "says that the light arrives unless all spheres are in the way",
-            hint: "One sphere in the way, and another one beside it: is the point lit? Which word is it, any or all?",
-            answer: |q| 1 - u32::from(hiding(q) == q.spheres.len()),
         },
         Mistake {
             name: "lets two spheres in the way cancel each other, as two negations do",

@@ -408,11 +408,6 @@ impl Graded for PoissonDisk {
             },
         },
         Mistake {
-            name: "chooses points from a smaller square, half the distance inside the edges",
-            hint: "May a point lie on the very edge of the square? Where at its border would another point have room?",
-            answer: |q| inside(q, 0.5 * q.distance),
-        },
-        Mistake {
             name: "chooses points from a smaller square, the whole distance inside the edges",
             hint: "May a point lie on the very edge of the square? Where at its border would another point have room?",
             answer: |q| inside(q, q.distance),

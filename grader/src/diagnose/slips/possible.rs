@@ -100,10 +100,10 @@ pub(super) fn slips(
     // of one that leaves most numbers as they are.
     let is_one = evidence.wrong == 1 || evidence.is_one_answer();
     // Yes and no, or one number or two, are explained by some rare function of some step by chance, and one yes or no by any.
-    let rarest = match (evidence.tells_much(), evidence.wrong == 1) {
-        (true, _) => u32::MAX,
-        (false, false) => RAREST,
-        (false, true) => 0,
+    let rarest = match () {
+        () if evidence.tells_much() => u32::MAX,
+        () if evidence.tells_in_all() < 1.0 => 0,
+        () => RAREST,
     };
     // Of yes and no a decision or a loop is rather wrong than a number.
     let seldom = if evidence.tells_much() { 0 } else { 2 };

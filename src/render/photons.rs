@@ -68,7 +68,8 @@ pub struct Photon {
 /// To find the photons near a point, space is cut into cells. The cells are numbered, and photons in cells with the same number, a
 /// bucket, lie side by side in memory. There are more cells than buckets: cells far apart may share a bucket.
 pub struct Photons {
-    photons: Vec<Photon>,
+    /// Sorted by their buckets.
+    landed: Vec<Photon>,
     /// The place of each bucket's first photon, and the number of all photons.
     starts: Vec<u32>,
     /// r: photons within this distance light a point, in metres.
@@ -82,7 +83,7 @@ pub struct Photons {
 impl fmt::Debug for Photons {
     fn fmt(&self, f: &mut fmt::Formatter) -> fmt::Result {
         f.debug_struct("Photons")
-            .field("photons", &self.photons.len())
+            .field("photons", &self.landed.len())
             .field("radius", &self.radius)
             .field("emitters", &self.emitters)
             .finish_non_exhaustive()
@@ -130,7 +131,7 @@ impl Photons {
             starts[i + 1] += starts[i];
         }
         Self {
-            photons,
+            landed: photons,
             starts,
             radius,
             grid,
@@ -140,7 +141,7 @@ impl Photons {
 
     /// All photons that have landed.
     pub fn all(&self) -> &[Photon] {
-        &self.photons
+        &self.landed
     }
 
     /// Whether the scene's light number `light` has emitted photons.
@@ -156,7 +157,7 @@ impl Photons {
     /// count that have landed in a thin disc around the point, on the same side, after at most `most` mirrors and surfaces of glass. The
     /// light is blurred by r. Within r of a surface's edge it is too dark, because a part of the disc is beside the surface.
     pub fn reflected(&self, seen: &Seen, view: Dir3, most: u32) -> Rgb {
-        if self.photons.is_empty() {
+        if self.landed.is_empty() {
             return Rgb::BLACK;
         }
         let (at, r) = (&seen.surface, self.radius);
@@ -193,7 +194,7 @@ impl Photons {
     /// The photons of all cells that share the bucket of this one.
     fn sharing(&self, cell: [i32; 3]) -> &[Photon] {
         let bucket = self.grid.bucket(cell);
-        &self.photons[self.starts[bucket] as usize..self.starts[bucket + 1] as usize]
+        &self.landed[self.starts[bucket] as usize..self.starts[bucket + 1] as usize]
     }
 }
 

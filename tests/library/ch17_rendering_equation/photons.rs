@@ -122,7 +122,7 @@ fn photons_arrive_where_samples_of_the_light_tell() {
 fn seen_below(
     scene: &Scene,
     integrator: &dyn Integrator,
-    (middle, side): (Vec3, f32),
+    (middle, side): Square,
     samples: u32,
 ) -> Mean {
     Mean::sampled(43, samples, |rng| {
@@ -140,8 +140,11 @@ fn with_photons(scene: &Scene, path: Path) -> Caustics {
     }
 }
 
+/// The middle of a square, and its side, in metres.
+type Square = (Vec3, f32);
+
 /// Scenes with caustics: name, scene, and squares that are looked at from above.
-fn scenes() -> Vec<(&'static str, Scene, Vec<(Vec3, f32)>)> {
+fn scenes() -> Vec<(&'static str, Scene, Vec<Square>)> {
     let on_floor = |x: f32, z: f32| vec3(x, 0.1, z);
     let green = Medium {
         absorption: Rgb::new(0.9, 0.1, 0.6),
@@ -258,10 +261,11 @@ fn a_short_path_sees_only_photons_of_short_ways() {
 
 #[test]
 fn a_white_floor_shows_all_the_power_that_has_landed_on_it() {
+    const RADIUS: f32 = 0.05;
+    /// Half of the side of the square that is looked at, in metres.
+    const HALF: f32 = 1.0;
     let floor = thing(Plane::through(Vec3::ZERO, Dir3::Y), WHITE);
     let scene = Scene::new(vec![floor, ball(Medium::GLASS)], vec![Box::new(lamp())]);
-    const RADIUS: f32 = 0.05;
-    const HALF: f32 = 1.0;
     let photons = Photons::shot(&scene, 20_000, RADIUS, 3);
     let inside = |p: Vec3| p.x.abs() < HALF && p.z.abs() < HALF;
     let landed = photons

@@ -80,6 +80,7 @@
 //! | local illumination, shadows, soft shadows | `render/local.rs` `render/shadow.rs` `render/soft_shadow.rs` |
 //! | Whitted's ray tracing | `render/whitted.rs` |
 //! | path tracing, multiple importance sampling | `render/path.rs` `render/mis.rs` |
+//! | caustics: photons from the lights, and paths that leave this light to them | `render/photons.rs` `render/caustics.rs` |
 //! | samples clamped to a maximum: no fireflies, smooth edges of lamps | `render/clamped.rs` |
 //! | supersampling, adaptive supersampling | `render/supersample.rs` `render/adaptive.rs` |
 //! | curved rays, the black hole | `render/curved/mod.rs` |

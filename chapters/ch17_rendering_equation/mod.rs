@@ -2,23 +2,25 @@
 //! gives this light, and path tracing estimates the integral by the mean over random paths, chosen with care.
 //!
 //! New: sample/mod.rs sample/hemisphere.rs material/lambert.rs material/modified_phong.rs
-//! New: render/mis.rs render/path.rs render/reflection.rs scene/cornell.rs scene/plates.rs
+//! New: render/mis.rs render/path.rs render/reflection.rs render/photons.rs render/caustics.rs scene/cornell.rs scene/plates.rs
 
 mod domes;
 mod path_error;
 mod strategies;
 
-use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
+use crate::kit::{chapter, numbers::grouped};
 use clap::{Args, ValueEnum};
 use raybook::image::Image;
 use raybook::image::denoise::Guide;
+use raybook::render::caustics::Caustics;
 use raybook::render::clamped::Clamped;
 use raybook::render::film::Film;
 use raybook::render::mis::Strategy;
 use raybook::render::path::Path;
-use raybook::render::sampler::Sampler;
+use raybook::render::photons::Photons;
+use raybook::render::sampler::{Integrator, Sampler};
 use raybook::scene::cornell;
 use std::cell::LazyCell;
 use std::process::ExitCode;
@@ -30,6 +32,16 @@ const ALL: Path = Path {
     roulette_after: 3,
     strategy: Strategy::Both,
 };
+
+/// Maximum of the brightest channel of a sample, in W·m⁻²·sr⁻¹: a tenth of the lamp's radiance, which is still displayed as white. So the
+/// lamp's edges have no stairs. Of the light that surfaces reflect, this takes next to nothing, but for a caustic, which photons bring.
+const BRIGHTEST: f32 = cornell::LAMP.r / 10.0;
+
+/// Number of photons that the lamp emits for the caustics: one in 13 meets a ball and lands. With half as many, the walls have blotches.
+const PHOTONS: usize = 500_000;
+
+/// Distance up to which photons light a point, in metres: three pixels of the floor in front. The bright spot is 60 mm wide.
+const RADIUS: f32 = 0.004;
 
 /// Strategy that finds the light straight from the lamp.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
@@ -127,11 +139,20 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("caustic") {
         let caption = format!(
             "A mirror and glass in the box.{limit} From three surfaces on, there is a bright spot below the glass \
-            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, only paths that happen to go through the glass. Paths that find \
-            much more light than most are limited, which leaves fewer white dots, and makes the caustic darker."
+            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, and very few paths do. \
+            {} photons, which start at the lamp, have brought it; a point is lit by those that have landed at most {:.0} mm from it.",
+            grouped(PHOTONS as f64),
+            1000.0 * RADIUS
         );
         let (film, balls) = (stage.film_of(384, 16, 1.0), View::with_balls()?);
-        let caustic = denoised(&film, &guides(&film, &balls), &balls, path);
+        let caustics = Caustics {
+            path,
+            photons: Photons::shot(&balls.scene, PHOTONS, RADIUS, film.seed),
+            brightest: BRIGHTEST,
+        };
+        let caustic = film.denoised(&guides(&film, &balls), |film| {
+            photograph(film, &balls, &caustics)
+        });
         stage.figure("caustic", &caption, &caustic)?;
     }
 
@@ -157,15 +178,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 }
 
 /// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the mean radiance is exposed.
-///
-/// The radiance of each sample is clamped to a tenth of the lamp's, which is still displayed as white: so the lamp's edges have no
-/// stairs. Of the light that surfaces reflect, this takes next to nothing, but for a caustic.
-fn photograph(film: &Film, view: &View, path: Path) -> Image {
-    let path = Clamped {
-        integrator: path,
-        brightest: cornell::LAMP.max_channel() / 10.0,
-    };
-    let radiance = film.render(&view.camera, &Sampler::Even, &path, &view.scene);
+fn photograph(film: &Film, view: &View, integrator: &dyn Integrator) -> Image {
+    let radiance = film.render(&view.camera, &Sampler::Even, integrator, &view.scene);
     radiance.map(|v| v * view.exposure)
 }
 
@@ -176,7 +190,11 @@ fn guides(film: &Film, view: &View) -> Vec<Guide> {
 
 /// The same picture, denoised by a filter that knows what the camera sees.
 fn denoised(film: &Film, guides: &[Guide], view: &View, path: Path) -> Image {
-    film.denoised(guides, |film| photograph(film, view, path))
+    let path = Clamped {
+        integrator: path,
+        brightest: BRIGHTEST,
+    };
+    film.denoised(guides, |film| photograph(film, view, &path))
 }
 
 /// The chapter's binary.

@@ -10,9 +10,12 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::light::LightSample;
+use crate::light::{Emitted, LightSample};
 use crate::math::dir3::Dir3;
-use glam::Vec3;
+use crate::sample::hemisphere::cosine_hemisphere;
+use crate::shape::{ROUNDING, Surface};
+use glam::{Vec2, Vec3};
+use std::f32::consts::PI;
 
 /// How an area light chooses one of its points.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -49,3 +52,20 @@ pub fn shine(toward: Dir3, distance: f32, radiance: Rgb, pdf: f32) -> Option<Lig
         pdf,
     })
 }
+
+// ANCHOR: emit
+/// A photon from a point of a light that shines with the `radiance` L to the side of the `normal`: u, uniform in [0, 1)², chooses its
+/// direction. The point was chosen uniformly over the `area` A, in m².
+///
+/// The densities are p_A = 1/A and p_ω = cos θ/π ([`cosine_hemisphere`]), so L cos θ/(p_A p_ω) = π A L: each photon has the flux of
+/// the whole light (Jensen, "Global illumination using photon maps", 1996).
+pub fn emit(position: Vec3, normal: Dir3, area: f32, radiance: Rgb, u: Vec2) -> Emitted {
+    // A lamp in a ceiling must not shine into the ceiling: the ray starts in front of the lamp.
+    let error = ROUNDING * position.abs().max_element();
+    let at = Surface::flat(position, error, normal);
+    Emitted {
+        ray: at.leave(cosine_hemisphere(normal, u)),
+        power: radiance * (PI * area),
+    }
+}
+// ANCHOR_END: emit

@@ -41,6 +41,13 @@ pub trait Light: Send + Sync {
         None
     }
 
+    /// A photon that leaves the light: `place`, uniform in [0, 1)², chooses where, and `direction`, likewise, in which direction.
+    ///
+    /// The average of its `power` is the light's flux. `None` for a light that sends out no photons, such as a light at infinity.
+    fn emit(&self, _place: Vec2, _direction: Vec2) -> Option<Emitted> {
+        None
+    }
+
     /// The density per steradian with which [`Light::sample`] chooses a direction; 0 for a light without an extent.
     fn pdf(&self, at: Vec3, toward: Dir3) -> f32 {
         let hit = self.seen(&Ray::new(at, toward), f32::INFINITY);
@@ -71,6 +78,16 @@ pub struct LightHit {
     pub radiance: Rgb,
     /// The density per steradian with which [`Light::sample`], at the ray's origin, chooses the ray's direction.
     pub pdf: f32,
+}
+
+/// A photon that leaves a light.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Emitted {
+    /// The ray from a point of the light.
+    pub ray: Ray,
+    /// The estimate of the light's flux, in W: L cos θ/(p_A p_ω), where the point was chosen with the density p_A per m², and the
+    /// direction, at the angle θ to the normal, with the density p_ω per steradian.
+    pub power: Rgb,
 }
 
 impl LightSample {

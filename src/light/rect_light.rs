@@ -10,8 +10,8 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::light::extent::{LightSampling, per_steradian, shine};
-use crate::light::{Light, LightHit, LightSample};
+use crate::light::extent::{LightSampling, emit, per_steradian, shine};
+use crate::light::{Emitted, Light, LightHit, LightSample};
 use crate::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use glam::{DVec3, Vec2, Vec3};
 
@@ -125,6 +125,13 @@ impl Light for RectLight {
             radiance: self.radiance,
             pdf,
         })
+    }
+
+    /// From a point that is uniform over the area, by [`emit`]; `None` if there is no area.
+    fn emit(&self, place: Vec2, direction: Vec2) -> Option<Emitted> {
+        let at = self.point(place);
+        let photon = emit(at, self.normal, self.area, self.radiance, direction);
+        (self.area > 0.0).then_some(photon)
     }
 }
 

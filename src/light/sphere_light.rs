@@ -12,11 +12,11 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::light::extent::{LightSampling, per_steradian, shine};
-use crate::light::{Light, LightHit, LightSample};
+use crate::light::extent::{LightSampling, emit, per_steradian, shine};
+use crate::light::{Emitted, Light, LightHit, LightSample};
 use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
 use crate::shape::{Shape, sphere::Sphere};
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec2, Vec3, vec2, vec3};
 use std::f32::consts::TAU;
 
 /// A sphere that shines, outwards and inwards, with the same radiance from all points in all directions.
@@ -127,5 +127,25 @@ impl Light for SphereLight {
             radiance: self.radiance,
             pdf,
         })
+    }
+    /// From a point that is uniform over the area, 4π r², by [`emit`]: half of the photons outwards, and half inwards.
+    ///
+    /// The sphere shines to both sides, so its flux is 2·π·4π r²·L.
+    fn emit(&self, place: Vec2, direction: Vec2) -> Option<Emitted> {
+        let (r, height) = (self.sphere.radius, 1.0 - 2.0 * place.x);
+        let (sine, (sin_phi, cos_phi)) = (
+            (1.0 - height * height).max(0.0).sqrt(),
+            (TAU * place.y).sin_cos(),
+        );
+        let outward = Dir3::new(vec3(sine * cos_phi, sine * sin_phi, height))?;
+        let at = self.sphere.center + r * *outward;
+        // Twice u.x is uniform over [0, 1) in each half.
+        let (side, u) = if direction.x < 0.5 {
+            (outward, vec2(2.0 * direction.x, direction.y))
+        } else {
+            (-outward, vec2(2.0 * direction.x - 1.0, direction.y))
+        };
+        let area = 2.0 * (2.0 * TAU * r * r);
+        Some(emit(at, side, area, self.radiance, u))
     }
 }

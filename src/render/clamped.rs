@@ -11,6 +11,7 @@
 //! assert_eq!(path.follow(&scene, &ray, Cone::THIN, &mut pcg::stream(0, 0)).radiance, Rgb::gray(10.0));
 //! ```
 
+use crate::image::rgb::Rgb;
 use crate::math::ray::Ray;
 use crate::render::{cone::Cone, followed::Followed, sampler::Integrator};
 use crate::scene::world::Scene;
@@ -32,13 +33,18 @@ pub struct Clamped<I> {
 impl<I: Integrator> Integrator for Clamped<I> {
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
         let followed = self.integrator.follow(scene, ray, cone, numbers);
-        let brightest = followed.radiance.max_channel();
-        if brightest <= self.brightest {
-            return followed;
-        }
         Followed {
-            radiance: followed.radiance * (self.brightest / brightest),
+            radiance: clamped(followed.radiance, self.brightest),
             ..followed
         }
     }
+}
+
+/// Radiance whose brightest channel is at most `brightest`: brighter radiance is scaled down.
+pub(crate) fn clamped(radiance: Rgb, brightest: f32) -> Rgb {
+    let channel = radiance.max_channel();
+    if channel <= brightest {
+        return radiance;
+    }
+    radiance * (brightest / channel)
 }

@@ -14,6 +14,7 @@
 
 pub mod adaptive;
 pub mod budget;
+pub mod caustics;
 pub mod clamped;
 pub mod cone;
 pub mod curved;
@@ -22,10 +23,12 @@ pub mod followed;
 mod gather;
 pub mod glints;
 pub mod guides;
+mod lobes;
 pub mod local;
 pub mod mis;
 pub mod needs_more;
 pub mod path;
+pub mod photons;
 pub mod refine;
 pub mod reflection;
 pub mod sampler;

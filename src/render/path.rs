@@ -14,8 +14,10 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::material::{Delta, Scatter, glass::Medium};
+use crate::material::glass::Medium;
 use crate::math::{dir3::Dir3, ray::Ray};
+use crate::render::lobes::{Lobes, choice};
+use crate::render::photons::Photons;
 use crate::render::{cone::Cone, followed::Followed, mis::Strategy, sampler::Integrator, shadow};
 use crate::scene::world::{Scene, Seen};
 use glam::vec2;
@@ -51,21 +53,34 @@ impl Path {
     /// strategy weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror
     /// or through glass. The estimate is unbiased, except for the light that `depth` cuts off.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
-        self.follow_cone(scene, ray, Cone::THIN, rng)
+        let (sum, _) = self.follow_beside(None, scene, ray, Cone::THIN, rng);
+        sum
     }
 
-    fn follow_cone(&self, scene: &Scene, ray: &Ray, mut cone: Cone, rng: &mut dyn Rng) -> Followed {
+    /// The light without caustics, and that of the caustics, if there are photons that bring it: each surface that scatters shows
+    /// the photons around it, and a lamp behind mirrors or glass shines on it no more ([`Caustics`](crate::render::caustics::Caustics)).
+    pub(crate) fn follow_beside(
+        &self,
+        photons: Option<&Photons>,
+        scene: &Scene,
+        ray: &Ray,
+        mut cone: Cone,
+        rng: &mut dyn Rng,
+    ) -> (Followed, Rgb) {
         let (mut ray, mut pdf) = (*ray, f32::INFINITY);
         let (mut sum, mut weight) = (Followed::default(), Rgb::WHITE);
         let (mut surfaces, mut medium) = (0, Medium::AIR);
+        let (mut caustics, mut has_scattered) = (Rgb::BLACK, false);
         loop {
             sum.rays += 1;
             let seen = scene.closest(&ray);
-            let found = self.found(scene, &ray, seen.as_ref().map(|seen| seen.t), pdf);
+            let t = seen.as_ref().map(|seen| seen.t);
+            let brought = photons.filter(|_| has_scattered && pdf == f32::INFINITY);
+            let found = self.found(scene, &ray, t, pdf, brought);
             let (Some(mut seen), None) = (seen, found) else {
                 let (t, radiance) = found.unwrap_or((f32::INFINITY, Rgb::BLACK));
                 sum.radiance += weight * medium.transmittance(t) * radiance;
-                return sum;
+                break;
             };
             weight = weight * medium.transmittance(seen.t);
             let view = -ray.direction;
@@ -73,7 +88,7 @@ impl Path {
             cone.cover(&mut seen.surface, view);
             sum.radiance += weight * seen.material.emitted(&seen.surface, view);
             if surfaces == self.depth {
-                return sum;
+                break;
             }
             surfaces += 1;
             let lobes = Lobes::of(&seen, view);
@@ -81,14 +96,17 @@ impl Path {
                 let direct = self.next_event(scene, &seen, view, lobes.to_scatter(), rng);
                 sum.radiance += weight * direct.radiance;
                 sum.rays += direct.rays;
+                let left = self.depth - surfaces;
+                let brought = photons.map(|photons| photons.reflected(&seen, view, left));
+                caustics += weight * brought.unwrap_or(Rgb::BLACK);
             }
             let Some(next) = lobes.sample(&seen, view, rng) else {
-                return sum;
+                break;
             };
             weight = weight * next.weight;
             if surfaces > self.roulette_after {
                 let Some(survivor) = roulette(weight, rng) else {
-                    return sum;
+                    break;
                 };
                 weight = survivor;
             }
@@ -96,8 +114,10 @@ impl Path {
                 Some(_) => (seen.surface.leave(next.toward), next.pdf),
                 None => (seen.surface.leave_smooth(next.toward), next.pdf),
             };
+            has_scattered |= next.medium.is_none();
             medium = next.medium.unwrap_or(medium);
         }
+        (sum, caustics)
     }
     // ANCHOR_END: path
 
@@ -146,13 +166,24 @@ impl Path {
     /// The distance of the light that a ray meets before a surface at the distance t, and the light's radiance times its weight;
     /// `None` if it meets the surface first.
     ///
-    /// A ray that meets no surface always finds light: the backdrop, and all lights at infinity.
-    fn found(&self, scene: &Scene, ray: &Ray, t: Option<f32>, pdf: f32) -> Option<(f32, Rgb)> {
+    /// A ray that meets no surface always finds light: the backdrop, and all lights at infinity. If photons have `brought` the light
+    /// that the ray might find, the lights that emitted them are black.
+    fn found(
+        &self,
+        scene: &Scene,
+        ray: &Ray,
+        t: Option<f32>,
+        pdf: f32,
+        brought: Option<&Photons>,
+    ) -> Option<(f32, Rgb)> {
         let mut nearest = t.unwrap_or(f32::INFINITY);
         let mut found = t.is_none().then(|| (scene.backdrop)(ray));
-        for light in &scene.lights {
+        for (i, light) in scene.lights.iter().enumerate() {
             if let Some(hit) = light.seen(ray, nearest) {
-                let share = self.strategy.of_surface(pdf, hit.pdf);
+                let share = match brought {
+                    Some(photons) if photons.come_from(i) => 0.0,
+                    _ => self.strategy.of_surface(pdf, hit.pdf),
+                };
                 let behind = found.filter(|_| hit.t == nearest).unwrap_or(Rgb::BLACK);
                 found = Some(behind + hit.radiance * share);
                 nearest = hit.t;
@@ -164,93 +195,8 @@ impl Path {
 
 impl Integrator for Path {
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
-        self.follow_cone(scene, ray, cone, numbers)
-    }
-}
-
-/// The direction in which a path is continued.
-struct Next {
-    toward: Dir3,
-    /// p, in 1/sr; ∞ for a delta lobe.
-    pdf: f32,
-    /// f cos θ/p.
-    weight: Rgb,
-    /// The medium that the ray goes through, for a delta lobe; `None` if the medium stays the same.
-    medium: Option<Medium>,
-}
-
-/// The lobes of a surface. A path follows one of them, with a probability about proportional to the light that the lobe brings.
-struct Lobes {
-    scatters: bool,
-    /// The sum of the delta lobes' shares.
-    delta_share: f32,
-    /// The share that is left for f: an upper bound if the material conserves energy.
-    rest: f32,
-}
-
-impl Lobes {
-    /// Minimum of `rest` for a surface that scatters, because f may reflect more than the delta lobes leave.
-    const LEAST: f32 = 0.1;
-
-    fn of(seen: &Seen, view: Dir3) -> Self {
-        let (mut delta_share, scatters) = (0.0, seen.material.scatters(&seen.surface));
-        let mut add = |lobe: Delta| delta_share += lobe.share.max_channel();
-        seen.material.delta_lobes(&seen.surface, view, &mut add);
-        let rest = if scatters {
-            (1.0 - delta_share).max(Self::LEAST)
-        } else {
-            0.0
-        };
-        Self {
-            scatters,
-            delta_share,
-            rest,
-        }
-    }
-
-    /// The probability with which the path is continued by f.
-    fn to_scatter(&self) -> f32 {
-        self.rest / (self.delta_share + self.rest)
-    }
-
-    /// A direction of one of the lobes; `None` ends the path.
-    fn sample(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
-        if self.delta_share == 0.0 {
-            return self.scatter(seen, view, rng);
-        }
-        let all = self.delta_share + self.rest;
-        let (mut left, mut next) = (choice(rng) * all, None);
-        seen.material.delta_lobes(&seen.surface, view, &mut |lobe| {
-            let share = lobe.share.max_channel();
-            if next.is_none() && left < share {
-                next = Some(Next {
-                    toward: lobe.toward,
-                    pdf: f32::INFINITY,
-                    weight: lobe.share * (all / share),
-                    medium: Some(lobe.medium),
-                });
-            }
-            left -= share;
-        });
-        if next.is_some() || !self.scatters {
-            return next;
-        }
-        self.scatter(seen, view, rng)
-    }
-
-    /// A direction chosen by f.
-    fn scatter(&self, seen: &Seen, view: Dir3, rng: &mut dyn Rng) -> Option<Next> {
-        let (at, u) = (&seen.surface, vec2(rng.random(), rng.random()));
-        let Scatter { toward, pdf, f } = seen.material.scatter(at, view, u)?;
-        let pdf = pdf * self.to_scatter();
-        let cosine = at.facing(view).dot(*toward);
-        let weight = f * (cosine / pdf);
-        (pdf > 0.0 && weight != Rgb::BLACK).then_some(Next {
-            toward,
-            pdf,
-            weight,
-            medium: None,
-        })
+        let (sum, _) = self.follow_beside(None, scene, ray, cone, numbers);
+        sum
     }
 }
 
@@ -258,16 +204,9 @@ impl Lobes {
 /// Russian roulette: ends a path with the probability 1 − q, and divides the weight of a survivor by q. The estimate stays
 /// unbiased, and less work is spent on little light (Arvo and Kirk, "Particle transport and image synthesis", 1990). q is the
 /// largest channel of the weight, at most [`MAX_SURVIVAL`].
-fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
+pub(crate) fn roulette(weight: Rgb, rng: &mut dyn Rng) -> Option<Rgb> {
     let [r, g, b] = weight.channels();
     let q = r.max(g).max(b).min(MAX_SURVIVAL);
     (choice(rng) < q).then(|| weight / q)
 }
 // ANCHOR_END: roulette
-
-/// A number for a choice. Numbers come in pairs, whose points are evenly spread ([`Even`](crate::sample::even::Even)): the second one is left
-/// out, so that the next two are a pair again.
-fn choice(rng: &mut dyn Rng) -> f32 {
-    let [number, _]: [f32; 2] = rng.random();
-    number
-}

@@ -5,6 +5,8 @@ use raybook::image::rgb::Rgb;
 use raybook::light::{Light, environment::Environment};
 use raybook::math::{pcg, pcg::Pcg, ray::Ray};
 use raybook::render::local::{Local, NO_SHADOWS, Visibility};
+use raybook::render::sampler::Integrator as _;
+use raybook::render::{caustics::Caustics, cone::Cone, photons::Photons};
 use raybook::render::{mis::Strategy, path::Path, shadow, whitted::Whitted};
 use raybook::scene::{cornell, plates, world::Scene};
 use raybook_chapters::ch13_reflection::kissing_balls;
@@ -48,6 +50,17 @@ fn path(scene: Scene, strategy: Strategy) -> Integrator {
         strategy,
     };
     Box::new(move |ray, rng| path.radiance(&scene, ray, rng))
+}
+
+/// Path tracing of the Cornell box with a mirror ball and a glass ball, whose caustics photons bring.
+fn with_photons() -> Integrator {
+    let scene = gallery::CORNELL.shot(96).expect("a scene").scene;
+    let caustics = Caustics {
+        path: Path::WHOLE,
+        photons: Photons::shot(&scene, 20_000, 0.01, 0),
+        brightest: f32::INFINITY,
+    };
+    Box::new(move |ray, rng| caustics.follow(&scene, ray, Cone::THIN, rng).radiance)
 }
 
 /// The clear day, in a small map.
@@ -114,6 +127,7 @@ fn integrators() -> Vec<(&'static str, Vec3, Integrator)> {
             inside,
             path(cornell::cornell_box(), Strategy::Light),
         ),
+        ("paths with photons", inside, with_photons()),
         (
             "paths by both",
             plates::EYE,

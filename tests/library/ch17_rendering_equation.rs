@@ -9,6 +9,7 @@ mod hemisphere;
 mod integrators;
 mod materials;
 mod mis;
+mod photons;
 mod strategies;
 mod view_factors;
 

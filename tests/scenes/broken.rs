@@ -90,6 +90,18 @@ const AFTER_A_CAMERA: &[(&str, &str)] = &[
         "4:1: the integrator needs `kind`",
     ),
     (
+        "[integrator]\nkind = \"path\"\nphotons = 1000\n",
+        "6:11: photons light what is near them; give `photon_radius_m` too",
+    ),
+    (
+        "[integrator]\nkind = \"path\"\nphotons = 0\n",
+        "6:11: `photons` must be a whole number from 1 to 10000000, and this is 0",
+    ),
+    (
+        "[integrator]\nkind = \"path\"\nphoton_radius_m = 0.1\n",
+        "6:19: only photons have this; give `photons` too",
+    ),
+    (
         "[sampler]\nkind = \"haltn\"\n",
         "5:8: `haltn` is none of `even`, `refined`, `adaptive`, `budget`, (patterns); did you mean `halton`?",
     ),

@@ -9,6 +9,7 @@ use raybook::math::pcg;
 use raybook::prelude::*;
 use raybook::render::local::{Local, NO_SHADOWS, Visibility};
 use raybook::render::shadow;
+use raybook::render::{caustics::Caustics, photons::Photons};
 use raybook::sample::filter::Filter;
 use raybook::scene::cornell;
 use raybook_common::{project, rays::random_direction};
@@ -234,6 +235,32 @@ fn shapes_are_scaled_then_turned_then_moved() {
     ] {
         assert_eq!(sees(x, y).map(f32::round), t, "at {x}, {y}");
     }
+}
+
+#[test]
+fn photons_are_the_librarys() {
+    let shot = |fields: &str| {
+        let text = format!(
+            "{CAMERA}[integrator]\nkind = \"path\"\n{fields}\n\
+            [[shapes]]\nkind = \"sphere\"\ncenter_m = [0, 0, 0]\nradius_m = 0.7\nmaterial = {{ kind = \"glass\" }}\n\
+            [[shapes]]\nkind = \"plane\"\npoint_m = [0, -1, 0]\nnormal = [0, 1, 0]\nmaterial = {{ kind = \"matte\", colour = 0.5 }}\n\
+            [[lights]]\nkind = \"sphere\"\ncenter_m = [0, 4, 0]\nradius_m = 0.4\nradiance = 20\n"
+        );
+        parse(&text).unwrap_or_else(|error| panic!("{error}"))
+    };
+    let film = Film::new(32, 24, 4);
+    let shot = shot("depth = 8\nphotons = 50_000\nphoton_radius_m = 0.1\nbrightest_sample = 3");
+    let caustics = Caustics {
+        path: Path {
+            depth: 8,
+            ..Path::WHOLE
+        },
+        photons: Photons::shot(&shot.scene, 50_000, 0.1, 0),
+        brightest: 3.0,
+    };
+    assert!(caustics.photons.all().len() > 100, "{caustics:?}");
+    let expected = film.render(&*shot.camera, &Sampler::Even, &caustics, &shot.scene);
+    assert!(shot.render(&film).same_bits(&expected));
 }
 
 #[test]

@@ -2,16 +2,24 @@
 
 use crate::fields::{Fields, Make};
 use crate::wrong::TextError;
+use rand::Rng;
 use raybook::image::{Image, tone};
+use raybook::math::ray::Ray;
 use raybook::render::adaptive::Limits;
+use raybook::render::caustics::Caustics;
 use raybook::render::clamped::Clamped;
+use raybook::render::cone::Cone;
+use raybook::render::followed::Followed;
 use raybook::render::local::{Local, NO_SHADOWS};
 use raybook::render::needs_more::StoppingRule;
+use raybook::render::photons::Photons;
 use raybook::render::sampler::{Integrator, Sampler};
 use raybook::render::{path::Path, shadow, whitted::Whitted};
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::{PATTERNS, Pattern};
+use raybook::scene::world::Scene;
 use std::fmt;
+use std::sync::OnceLock;
 
 /// The widest and highest picture, in pixels.
 pub const WIDEST: u64 = 8192;
@@ -147,13 +155,61 @@ fn path(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {
         depth: depth.unwrap_or(DEEPEST) as u32,
         ..Path::WHOLE
     };
-    Ok(match fields.number("brightest_sample", 1e-6..=1e12)? {
+    let brightest = fields.number("brightest_sample", 1e-6..=1e12)?;
+    let photons = fields.whole("photons", 1..=MOST_PHOTONS)?;
+    let radius = fields.number("photon_radius_m", 1e-6..=1e3)?;
+    match (photons, radius) {
+        (None, None) => {}
+        (Some(count), Some(radius)) => {
+            return Ok(Box::new(WithPhotons {
+                path,
+                brightest: brightest.unwrap_or(f32::INFINITY),
+                count: count as usize,
+                radius,
+                caustics: OnceLock::new(),
+            }));
+        }
+        (Some(_), None) => {
+            let message = "photons light what is near them; give `photon_radius_m` too";
+            return Err(fields.wrong("photons", message));
+        }
+        (None, Some(_)) => {
+            let message = "only photons have this; give `photons` too";
+            return Err(fields.wrong("photon_radius_m", message));
+        }
+    }
+    Ok(match brightest {
         Some(brightest) => Box::new(Clamped {
             integrator: path,
             brightest,
         }),
         None => Box::new(path),
     })
+}
+
+/// The largest number of photons from each light: if all land, they take about half a gigabyte.
+const MOST_PHOTONS: u64 = 10_000_000;
+
+/// Paths with photons, which are shot when the first path is followed: only then the scene is known.
+struct WithPhotons {
+    path: Path,
+    brightest: f32,
+    /// Number of photons from each light.
+    count: usize,
+    /// Distance up to which photons light a point, in metres.
+    radius: f32,
+    caustics: OnceLock<Caustics>,
+}
+
+impl Integrator for WithPhotons {
+    fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
+        let caustics = self.caustics.get_or_init(|| Caustics {
+            path: self.path,
+            photons: Photons::shot(scene, self.count, self.radius, 0),
+            brightest: self.brightest,
+        });
+        caustics.follow(scene, ray, cone, numbers)
+    }
 }
 
 fn whitted(fields: &Fields) -> Result<Box<dyn Integrator>, TextError> {

@@ -128,6 +128,7 @@ impl Light for SphereLight {
             pdf,
         })
     }
+
     /// From a point that is uniform over the area, 4π r², by [`emit`]: half of the photons outwards, and half inwards.
     ///
     /// The sphere shines to both sides, so its flux is 2·π·4π r²·L.

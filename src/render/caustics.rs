@@ -44,7 +44,7 @@ pub struct Caustics {
 impl Integrator for Caustics {
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
         let photons = Some(&self.photons);
-        let (rest, caustics) = self.path.follow_beside(photons, scene, ray, cone, numbers);
+        let (rest, caustics) = self.path.follow_with(photons, scene, ray, cone, numbers);
         Followed {
             radiance: clamped(rest.radiance, self.brightest) + caustics,
             ..rest

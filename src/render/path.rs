@@ -53,13 +53,14 @@ impl Path {
     /// strategy weights the two. All other light is estimated by the ray that continues the path, and so is all light in a mirror
     /// or through glass. The estimate is unbiased, except for the light that `depth` cuts off.
     pub fn follow(&self, scene: &Scene, ray: &Ray, rng: &mut dyn Rng) -> Followed {
-        let (sum, _) = self.follow_beside(None, scene, ray, Cone::THIN, rng);
+        let (sum, _) = self.follow_with(None, scene, ray, Cone::THIN, rng);
         sum
     }
 
-    /// The light without caustics, and that of the caustics, if there are photons that bring it: each surface that scatters shows
-    /// the photons around it, and a lamp behind mirrors or glass shines on it no more ([`Caustics`](crate::render::caustics::Caustics)).
-    pub(crate) fn follow_beside(
+    /// The same estimate, and beside it the radiance of the caustics that `photons` bring, if there are any
+    /// ([`Caustics`](crate::render::caustics::Caustics)). Each surface that scatters is then lit by the photons around it, and no longer
+    /// by a lamp that the path finds by delta lobes only.
+    pub(crate) fn follow_with(
         &self,
         photons: Option<&Photons>,
         scene: &Scene,
@@ -96,9 +97,10 @@ impl Path {
                 let direct = self.next_event(scene, &seen, view, lobes.to_scatter(), rng);
                 sum.radiance += weight * direct.radiance;
                 sum.rays += direct.rays;
-                let left = self.depth - surfaces;
-                let brought = photons.map(|photons| photons.reflected(&seen, view, left));
-                caustics += weight * brought.unwrap_or(Rgb::BLACK);
+                if let Some(photons) = photons {
+                    let most = self.depth - surfaces;
+                    caustics += weight * photons.reflected(&seen, view, most);
+                }
             }
             let Some(next) = lobes.sample(&seen, view, rng) else {
                 break;
@@ -195,7 +197,7 @@ impl Path {
 
 impl Integrator for Path {
     fn follow(&self, scene: &Scene, ray: &Ray, cone: Cone, numbers: &mut dyn Rng) -> Followed {
-        let (sum, _) = self.follow_beside(None, scene, ray, cone, numbers);
+        let (sum, _) = self.follow_with(None, scene, ray, cone, numbers);
         sum
     }
 }

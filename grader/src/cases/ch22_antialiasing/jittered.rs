@@ -7,6 +7,8 @@ use glam::{Vec2, Vec2Swizzles, vec2};
 use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
+use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::f32::consts::TAU;
 
 /// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
@@ -153,6 +155,40 @@ const IN_ONE_CELL: [&str; 3] = [
     "one of both places in one cell",
 ];
 
+/// Whether each cell has a number of its own for each coordinate, and not one that is drawn for a whole column or row of cells: four such cells are
+/// all alike by chance with (2e-4)⁴ = 2e-15.
+fn drawn_for_each(q: &Jittered, got: &[Vec2], places: &[Vec2]) -> Verdict {
+    const ALIKE: f32 = 1e-4;
+    const LEAST: usize = 4;
+    let count = vec2(q.columns as f32, q.rows as f32);
+    for (line, name) in ["column", "row"].into_iter().enumerate() {
+        for (axis, direction) in ["from left to right", "from top to bottom"]
+            .into_iter()
+            .enumerate()
+        {
+            let mut firsts: BTreeMap<u32, f32> = BTreeMap::new();
+            let mut others = 0;
+            let mut are_alike = true;
+            for (p, place) in got.iter().zip(places) {
+                let number = (count * *p)[line] as u32;
+                match firsts.entry(number) {
+                    Entry::Vacant(first) => drop(first.insert(place[axis])),
+                    Entry::Occupied(first) => {
+                        others += 1;
+                        are_alike &= (first.get() - place[axis]).abs() < ALIKE;
+                    }
+                }
+            }
+            if are_alike && others >= LEAST {
+                return Err(format!(
+                    "{direction}, all points of a {name} of cells lie alike in their cells: each cell needs a random number of its own"
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
 /// Whether places in cells are anywhere in them, as often as elsewhere.
 fn scattered(places: &[Vec2]) -> Verdict {
     let [x, y] = [0, 1].map(|axis| places.iter().map(move |p| p[axis]));
@@ -226,6 +262,7 @@ impl Graded for Jittered {
         one_each(q, &scaled)?;
         let places = places(q, got);
         judge::scattered("places in the cells", &places)?;
+        drawn_for_each(q, got, &places)?;
         scattered(&places)
     }
 
@@ -287,6 +324,11 @@ impl Graded for Jittered {
         },
         points::SAME,
         points::LINE,
+        Flaw {
+            complaint: "lie alike in their cells",
+            name: "draws a number for a whole column or row of cells, and not for each cell",
+            hint: "In which of your two loops does each random number stand: how often is it drawn?",
+        },
         Flaw {
             name: "does not choose all places in a cell equally often",
             hint: "From where to where in its cell may your point be? Is it anywhere between with the same chance?",

@@ -204,6 +204,26 @@ impl Graded for PlaneHit {
                 q.within.contains(t).then_some(t)
             },
         },
+        Mistake {
+            name: "compares the origin's distance from the plane, along the normal, with the interval, and not t",
+            hint: "A slanted ray goes further than along the normal: which of the two lengths do min and max belong to?",
+            answer: |q| by_height(q, f32::abs),
+        },
+        Mistake {
+            name: "compares the origin's distance from the plane, along the normal, with the interval, and t with 0 only",
+            hint: "A slanted ray goes further than along the normal: which of the two lengths do min and max belong to?",
+            answer: |q| by_height(q, f32::abs).filter(|t| *t > 0.0),
+        },
+        Mistake {
+            name: "compares the origin's height above the plane with the interval, and not t",
+            hint: "A slanted ray goes further than along the normal: which of the two lengths do min and max belong to?",
+            answer: |q| by_height(q, |height| height),
+        },
+        Mistake {
+            name: "compares the origin's height above the plane with the interval, and t with 0 only",
+            hint: "A slanted ray goes further than along the normal: which of the two lengths do min and max belong to?",
+            answer: |q| by_height(q, |height| height).filter(|t| *t > 0.0),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -231,4 +251,10 @@ fn line(q: &PlaneHit) -> Option<f32> {
         within: Interval::new(f32::NEG_INFINITY, f32::INFINITY),
         ..q.clone()
     })
+}
+
+/// The distance at which the whole line meets the plane, if the interval contains what is made of the origin's height above the plane.
+fn by_height(q: &PlaneHit, made: fn(f32) -> f32) -> Option<f32> {
+    let height = q.normal.dot(q.ray.origin) - q.offset;
+    line(q).filter(|t| t.is_finite() && q.within.contains(made(height)))
 }

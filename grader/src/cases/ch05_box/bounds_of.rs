@@ -339,6 +339,20 @@ impl Graded for BoundsOf {
                 }
             },
         },
+        Mistake {
+            name: "takes the points with the least and with the greatest sum of coordinates for the corners",
+            hint: "Must a corner of the box be one of the points? Bound (1, 5, −2) and (4, 2, 6): from which of the two comes the least y?",
+            answer: |q| {
+                let sum = |p: &Vec3| p.element_sum();
+                let by_sum = |a: &&Vec3, b: &&Vec3| sum(a).total_cmp(&sum(b));
+                let points = q.points.iter();
+                // Of equal sums the first counts, and `max_by` takes the last.
+                match (points.clone().min_by(by_sum), points.rev().max_by(by_sum)) {
+                    (Some(&min), Some(&max)) => Corners { min, max },
+                    _ => BoundsOf::right(q),
+                }
+            },
+        },
     ];
 }
 

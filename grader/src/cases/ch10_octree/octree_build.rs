@@ -496,8 +496,8 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
-            name: "cuts each cell with more than one shape, as far as the limits allow",
-            hint: "Three large shapes reach all eight children: what does a ray gain by the cut? What does your condition compare?",
+            name: "cuts each cell with more than one shape, as far as the limits allow, or counts a shape once in Σ nᵢ, however many children it reaches",
+            hint: "Three large shapes reach all eight children: what is Σ nᵢ, and what does a ray gain by the cut? What does your condition compare?",
             answer: |q| by(q, |rule| rule.pays = |_, n, _| n > 1.0),
         },
         Mistake {

@@ -477,5 +477,17 @@ impl Graded for OctreeWalk {
                 found
             },
         },
+        Mistake {
+            name: "sorts the leaves by how far along the ray their middles are",
+            hint: "A ray cuts off a corner of a large leaf, and its middle lies far ahead: when does the ray enter this leaf, and when the small one beside it?",
+            answer: |q| {
+                let cells = cells(q).0;
+                let way = |leaf: u32| cells[leaf as usize].center() - q.ray.origin;
+                let far = |leaf: u32| way(leaf).dot(*q.ray.direction);
+                let mut leaves = Self::right(q);
+                leaves.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
+                leaves
+            },
+        },
     ];
 }

@@ -8,7 +8,7 @@ use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use estimates::{
     both, brdf_by, built, by_own_density, clamped, clamped_light, cosine, crossed, estimated,
     from_below, half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte,
-    mirrored, on_curve, under, uneven,
+    mirrored, on_curve, raised, under, uneven,
 };
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -664,6 +664,11 @@ impl Graded for ReflectedRadiance {
             name: "multiplies by the viewer's cosine too",
             hint: "Light that arrives at a slant is spread over more of the surface: between which two directions is the angle?",
             answer: |q| estimated(q, |q, _| q.view.dot(*q.normal)),
+        },
+        Mistake {
+            name: "divides by 0.08, or a number near it, where the density is less",
+            hint: "Where few directions are chosen, each of them counts more: what becomes of the average if some count less than they should?",
+            answer: |q| estimated(q, |q, d| raised(0.08, both(q, d))),
         },
     ];
 }

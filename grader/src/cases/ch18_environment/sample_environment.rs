@@ -15,7 +15,7 @@ use raybook_workbook::exercises::ch17_rendering_equation::lattice;
 use raybook_workbook::exercises::ch18_environment::{POINTS, SampleEnvironment};
 use samplers::{
     Asked, by_angle, by_solid_angle, cut_off, direction, elsewhere, in_one_list, in_rows, listed,
-    of_row, raised, rest_of_number, sine, sine_from_end_to_end, sine_without_ends,
+    of_row, of_whole, raised, rest_of_number, sine, sine_from_end_to_end, sine_without_ends,
 };
 
 impl Graded for SampleEnvironment {
@@ -620,6 +620,46 @@ impl Graded for SampleEnvironment {
                     rest_of_number,
                 )
             },
+        },
+        Mistake {
+            name: "cuts the light of a texel off at 30 % of all light (in one list of all texels)",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| listed(q, |q, x, y| of_whole(q, x, y, 0.3), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at half of all light (in one list of all texels)",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| listed(q, |q, x, y| of_whole(q, x, y, 0.5), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at a tenth of all light (in one list of all texels)",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| listed(q, |q, x, y| of_whole(q, x, y, 0.1), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at 30 % of all light",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| q.sampled(|q, x, y| of_whole(q, x, y, 0.3), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at half of all light",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| q.sampled(|q, x, y| of_whole(q, x, y, 0.5), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at a tenth of all light",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| q.sampled(|q, x, y| of_whole(q, x, y, 0.1), by_solid_angle),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at a fifth of all light (in one list of all texels)",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| listed(q, |q, x, y| of_whole(q, x, y, 0.2), rest_of_number),
+        },
+        Mistake {
+            name: "cuts the light of a texel off at a fifth of all light",
+            hint: "A sun brings nine tenths of all light: how many of ten directions should lead to it?",
+            answer: |q| q.sampled(|q, x, y| of_whole(q, x, y, 0.2), by_solid_angle),
         },
     ];
 }

@@ -215,6 +215,16 @@ impl Graded for GeodesicStep {
                 after(end, v + step * pull(end, v))
             },
         },
+        Mistake {
+            name: "takes h for h², and divides the unit vector by the fifth power",
+            hint: "Twice the velocity and half the step give the same ray: do they in your formula? And x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(6)),
+        },
+        Mistake {
+            name: "takes h for h², and divides by the fourth power",
+            hint: "Twice the velocity and half the step give the same ray: do they in your formula? And x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
+            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(4)),
+        },
     ];
 }
 

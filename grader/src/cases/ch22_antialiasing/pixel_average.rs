@@ -60,6 +60,15 @@ fn running(q: &PixelAverage, share: fn(f32, f32) -> f32) -> Rgb {
     q.samples.iter().enumerate().fold(Rgb::BLACK, toward)
 }
 
+/// The average of samples of which no channel is above a limit.
+fn cut_off(q: &PixelAverage, limit: f32) -> Rgb {
+    PixelAverage::misread(q, |q| {
+        for s in &mut q.samples {
+            s.radiance = s.radiance.map(|v| v.min(limit));
+        }
+    })
+}
+
 /// A cone's weight.
 fn cone(q: &PixelAverage, offset: Vec2) -> f32 {
     (1.0 - offset.length() / q.radius).max(0.0)
@@ -429,6 +438,16 @@ impl Graded for PixelAverage {
             name: "moves a running average by each sample's weight over the number of samples, not over all weights so far",
             hint: "Two samples in the same place: by which part does the second move the average of the first?",
             answer: |q| running(q, |weight, count| weight / count),
+        },
+        Mistake {
+            name: "cuts the radiance of each sample off at 10 before it takes the average",
+            hint: "Radiance has no upper limit: what does a lamp add to its pixel?",
+            answer: |q| cut_off(q, 10.0),
+        },
+        Mistake {
+            name: "cuts the radiance of each sample off at 100 before it takes the average",
+            hint: "Radiance has no upper limit: what does a lamp add to its pixel?",
+            answer: |q| cut_off(q, 100.0),
         },
     ];
 }

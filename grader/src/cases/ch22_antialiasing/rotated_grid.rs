@@ -12,7 +12,7 @@ use glam::{Vec2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use std::cmp::Ordering;
-use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_4, FRAC_PI_6};
+use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6};
 
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
@@ -245,7 +245,7 @@ impl Graded for RotatedGrid {
         },
         Mistake {
             name: "rotates by 30°",
-            hint: "Which angle has the tangent ½?",
+            hint: "Which angle has the tangent ½, and which angle the sine ½?",
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_6).rotate(p))),
         },
         Mistake {
@@ -322,6 +322,31 @@ impl Graded for RotatedGrid {
             name: "keeps only the points that are in the square before the rotation and after it (in a lattice turned clockwise)",
             hint: "Which points must be in the square: the rotated ones, or those before?",
             answer: |q| inside(inside_before(q, -1.0)),
+        },
+        Mistake {
+            name: "rotates by 30° (in a lattice turned clockwise)",
+            hint: "Which angle has the tangent ½, and which angle the sine ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_6).rotate(p))),
+        },
+        Mistake {
+            name: "rotates by 60°",
+            hint: "Which angle has the tangent ½, and which angle the cosine ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_3).rotate(p))),
+        },
+        Mistake {
+            name: "rotates by 60° (in a lattice turned clockwise)",
+            hint: "Which angle has the tangent ½, and which angle the cosine ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_3).rotate(p))),
+        },
+        Mistake {
+            name: "rotates by 45° (in a lattice turned clockwise)",
+            hint: "An edge at 45° is also common in pictures. Which angle has the tangent ½?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_4).rotate(p))),
+        },
+        Mistake {
+            name: "takes degrees for radians (in a lattice turned clockwise)",
+            hint: "In which unit does your language's cosine want its angle?",
+            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-26.565).rotate(p))),
         },
     ];
 }

@@ -102,6 +102,11 @@ pub(super) fn uneven(q: &ReflectedRadiance, by_cosine: f32, d: Dir3) -> f32 {
     (by_cosine * matte(q, d) + (1.0 - by_cosine) * gloss) / both(q, d)
 }
 
+/// The weight of a direction of this density that is divided by `least` where the density is less.
+pub(super) fn raised(least: f32, density: f32) -> f32 {
+    density / density.max(least)
+}
+
 /// The mean of samples of this density, each channel of which is at most 1.
 pub(super) fn clamped(q: &ReflectedRadiance, density: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
     let [sum] = integral(q.normal, |d| {

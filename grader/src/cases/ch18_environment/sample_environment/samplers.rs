@@ -81,6 +81,11 @@ pub(super) fn cut_off(q: &SampleEnvironment, x: usize, y: usize, limit: f64) -> 
     q.texel(x, y).min(limit) * q.solid_angle(y)
 }
 
+/// What a texel counts for, if the light of none is above this share of all light.
+pub(super) fn of_whole(q: &SampleEnvironment, x: usize, y: usize, share: f64) -> f64 {
+    q.light(x, y).min(share * q.all_light())
+}
+
 /// The light of a row.
 pub(super) fn of_row(q: &SampleEnvironment, y: usize) -> f64 {
     (0..q.width as usize).map(|x| q.light(x, y)).sum()

@@ -64,11 +64,14 @@ fn roundest(low: f64, high: f64) -> f64 {
     rounded.next().unwrap_or(middle)
 }
 
+/// The value of a quantity, if a question has it.
+type Measure = Box<dyn Fn(&Item) -> Option<f64>>;
+
 /// What can be measured of a question.
 struct Quantity {
     words: String,
     /// Its value, if the question has it.
-    of: Box<dyn Fn(&Item) -> Option<f64>>,
+    of: Measure,
 }
 
 /// All that can be measured of a question, but what is in lists.
@@ -80,8 +83,7 @@ fn quantities(kind: &'static Kind) -> Vec<Quantity> {
         .filter(|(_, part)| part.list.is_none())
         .collect();
     let mut all = Vec::new();
-    let mut add =
-        |words: String, of: Box<dyn Fn(&Item) -> Option<f64>>| all.push(Quantity { words, of });
+    let mut add = |words: String, of: Measure| all.push(Quantity { words, of });
     for (i, part) in &alone {
         let i = *i;
         for (k, name) in part.kind.names(&part.name).into_iter().enumerate() {

@@ -11,8 +11,8 @@ use raybook_chapters::kit::stage::Drawn;
 use std::path::Path;
 
 /// Sizes in pixels of the canvas, which is twice as wide and as high as the picture.
-const NAMES: i32 = 320;
-const PANEL: i32 = 440;
+const NAMES: i32 = 400;
+const PANEL: i32 = 500;
 const GAP: i32 = 40;
 const ROW: i32 = 84;
 const HEAD: i32 = 190;
@@ -20,11 +20,11 @@ const FOOT: i32 = 320;
 /// From one line below the legend, about the machine, to the next.
 const LINE: i32 = 36;
 
-/// The ratios that a panel shows, from its left to its right; what is slower stands at its left edge.
+/// The ratios that a panel shows, from its left to its right; what is slower or faster stands at its edges.
 const LEAST: f64 = 0.02;
-const MOST: f64 = 3.0;
+const MOST: f64 = 6.0;
 /// The ratios with a line and a number.
-const TICKS: [f64; 6] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0];
+const TICKS: [f64; 7] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0];
 
 /// A colour and a form for each mesh: either would do.
 const MARKS: [(RGBColor, Form); 9] = [

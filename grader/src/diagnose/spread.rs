@@ -99,7 +99,7 @@ impl<'a, 'e> Traits<'a, 'e> {
 /// The number of wrong answers that a slip is tried on before it is tried on all.
 const PROBE: usize = 4;
 
-/// The rank of the last slip that is told by traits alone: rarer ones are so many that one comes near by chance.
+/// A slip of a higher [`Slipped::rank`] is not told by traits alone: among all the rare ones, one comes near by chance.
 const RAREST: u32 = RANK + COMMON + 2;
 
 /// What of the distance may be left in the probe.

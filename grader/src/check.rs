@@ -12,6 +12,7 @@ use crate::picture::triple::Triple;
 use crate::prints::short;
 use crate::rare::{Depth, ask_rare};
 use crate::related::ask_related;
+use crate::trial::ask_trial;
 use raybook_chapters::kit::untrusted::Untrusted;
 use std::io;
 
@@ -261,6 +262,7 @@ fn check_and_draw(
     ask_related(asker, examiner, &mut report)?;
     ask_further(asker, examiner, &mut report)?;
     ask_rare(asker, examiner, &mut report, depth)?;
+    ask_trial(asker, examiner, &mut report)?;
     let state = report.state();
     let drawn = match pixels {
         Pixels::None => false,

@@ -67,6 +67,7 @@ pub mod student;
 mod suspend;
 pub mod together;
 pub mod traits;
+mod trial;
 mod upon;
 pub mod watched;
 

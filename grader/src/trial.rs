@@ -1,7 +1,7 @@
 //! Further questions to a program whose mistake is in doubt.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Mark, Outcome, Report, judge};
+use crate::check::{Mark, Report, judge};
 use crate::diagnose::trial::Trial;
 use crate::examine::Examiner;
 use std::io;
@@ -15,15 +15,14 @@ pub fn ask_trial(
     examiner: &dyn Examiner,
     report: &mut Report,
 ) -> io::Result<()> {
-    let is_answered = |outcome: &Outcome| matches!(outcome.reply.said, Said::Answer(_));
     // One case alone is asked to look at it.
-    if report.cases.len() < 2 || !report.cases.iter().all(is_answered) {
+    if report.cases.len() < 2 || !report.answers() {
         return Ok(());
     }
     let Some(told) = report.diagnosis.clone() else {
         return Ok(());
     };
-    let answer = |outcome: &Outcome| match &outcome.reply.said {
+    let answer = |said: &Said| match said {
         Said::Answer(answer) => Some(answer.unescaped().to_owned()),
         _ => None,
     };
@@ -31,20 +30,24 @@ pub fn ask_trial(
     let mut cases: Vec<_> = all.map(|outcome| outcome.case.clone()).collect();
     let all = report.cases.iter();
     let mut answers: Vec<_> = all
-        .map(|outcome| (answer(outcome), outcome.verdict == Mark::Right))
+        .map(|outcome| (answer(&outcome.reply.said), outcome.verdict == Mark::Right))
         .collect();
     let Some(trial) = Trial::new(examiner, &cases, &answers, &told) else {
         return Ok(());
     };
     let question = |question: &String| format!("{} {question}", examiner.name());
-    let lines: Vec<_> = trial.cases.iter().map(|case| question(&case.question)).collect();
+    let lines: Vec<_> = trial
+        .cases
+        .iter()
+        .map(|case| question(&case.question))
+        .collect();
     let replies = asker.ask(&lines)?;
     for (case, reply) in trial.cases.iter().zip(replies) {
-        let Said::Answer(answer) = &reply.said else {
+        if !matches!(reply.said, Said::Answer(_) | Said::Panicked(_)) {
             return Ok(());
-        };
+        }
         let is_right = judge(examiner, case, &reply.said) == Mark::Right;
-        answers.push((Some(answer.unescaped().to_owned()), is_right));
+        answers.push((answer(&reply.said), is_right));
         cases.push(case.clone());
     }
     if let Some(sure) = trial.verdict(&cases, &answers) {

@@ -21,6 +21,9 @@ const NEAR: f64 = 0.2;
 /// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
 const SURE: f64 = 0.1;
 
+/// This share is nothing.
+const NOTHING: f64 = 1e-3;
+
 /// A mistake spoils no more right answers than this for each wrong one: what is next to wrong is called right by a judge's tolerance.
 const CONTRADICTED: usize = 3;
 
@@ -235,26 +238,36 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         then,
     } = near.first()?;
     // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
-    let given = || {
-        let number = own(name)?;
+    let gives = |number: usize| {
         let gives = |k: &usize| {
             let answer = evidence.mistaken(number, *k);
             answer.is_some_and(|answer| evidence.explains(*k, &answer))
         };
         let given = (0..evidence.wrong).filter(gives).count();
-        Some(given as f64 / evidence.wrong as f64)
+        given as f64 / evidence.wrong as f64
     };
-    let given = if then.is_none() && evidence.right_ones_tell() && evidence.goes_the_same_way() {
-        given().unwrap_or(1.0)
+    let goes_the_same_way =
+        then.is_none() && evidence.right_ones_tell() && evidence.goes_the_same_way();
+    let given = own(name).filter(|_| goes_the_same_way).map(gives);
+    // What leaves nothing leaves nothing to chance.
+    let errors = if *rest <= NOTHING * whole.norm() {
+        0.0
     } else {
-        1.0
+        errors
     };
     let is_rival = |other: &&Considered| {
-        // A slip that comes exactly as near is the same mistake in other words.
-        let is_the_same = other.rank == SLIP && other.rest == *rest;
-        other.name != *name && other.rest < 2.0 * rest + 2.0 * errors && !is_the_same
+        // A slip that comes exactly as near is the same mistake in other words, and so is, beside one of the exercise's own, all that comes
+        // as near but for chance. Where the answers are given to the last digits, who does not give them is no rival.
+        let is_the_same = other.rank == SLIP && other.rest == *rest || *rank == 0 && other.rank > 0;
+        let is_given = given.is_some_and(|given| given >= MOST);
+        let gives_less = || own(&other.name).is_some_and(|number| gives(number) < SOME);
+        other.name != *name
+            && other.rest < 2.0 * rest + 2.0 * errors
+            && !is_the_same
+            && !(is_given && gives_less())
     };
     let mut rivals = found.iter().filter(is_rival);
+    let given = given.unwrap_or(1.0);
     let is_near = *rest < NEAR * whole.norm();
     // Simple questions have one answer, whichever way is gone: who makes the mistake on another way gives none of its answers, but
     // their traits, to which no other mistake comes near.

@@ -12,6 +12,8 @@ use super::{Beside, Diagnosis, diagnose};
 use crate::attempt::attempt;
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::stable::is_stable;
+use rand::RngExt;
+use raybook::math::pcg::Pcg;
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -28,6 +30,9 @@ const FEWEST: usize = 40;
 
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
+
+/// Wrong answers that a second mistake explains by chance.
+const BY_CHANCE: usize = 1;
 
 /// Rounds of random cases that are asked where answers are compared by their traits.
 const ROUNDS: usize = 3;
@@ -68,15 +73,19 @@ impl<'a> Trial<'a> {
         }
         let evidence = Evidence::new(examiner, cases, answers);
         let seed = format!("{}, once more", cases.last()?.question);
-        if evidence.is_judged() {
-            let suspects = suspects(&evidence, told)?;
-            let cases = telling(examiner, &suspects, &seed);
+        let suspects = suspects(&evidence, told);
+        let is_told = |first: &Suspect<'_>| evidence.is_judged() || first.name == told.name;
+        if suspects.first().is_some_and(is_told) {
+            let cases = telling(&evidence, &suspects, &seed);
             return Some(Self {
                 examiner,
                 told,
                 suspects,
                 cases,
             });
+        }
+        if evidence.is_judged() {
+            return None;
         }
         number_of(examiner, &told.name)?;
         let rng = &mut visible_rng(&seed);
@@ -91,11 +100,7 @@ impl<'a> Trial<'a> {
     }
 
     /// What is told after it: for certain, if all is as one suspect says; else none. `cases` and `answers` are those of before and the further ones.
-    pub fn verdict(
-        &self,
-        cases: &[Case],
-        answers: &[(Option<String>, bool)],
-    ) -> Option<Diagnosis> {
+    pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         if self.suspects.is_empty() {
             let found = diagnose(self.examiner, cases, answers)?;
             let is_sure = found.certain && found.name == self.told.name;
@@ -115,7 +120,9 @@ impl<'a> Trial<'a> {
         if evidence.wrong < ENOUGH {
             return None;
         }
-        let left: Vec<_> = self.suspects.iter().filter(is_left).collect();
+        let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
+        // One mistake that explains as much as two is simpler.
+        left.sort_by_key(|suspect| suspect.then.is_some());
         let (first, others) = left.split_first()?;
         // What cannot be told from it is the same mistake in other words.
         let is_same = |other: &&Suspect<'_>| {
@@ -126,8 +133,13 @@ impl<'a> Trial<'a> {
                 one == other
             })
         };
-        let is_alone = others.iter().all(is_same);
-        is_alone.then(|| self.told_of(&first.name, &first.hint, first.then.as_ref()).of(&first.score))
+        let explains_more =
+            |other: &&Suspect<'_>| other.score.explained > first.score.explained + BY_CHANCE;
+        let is_alone = others.iter().all(|one| is_same(one) && !explains_more(one));
+        is_alone.then(|| {
+            self.told_of(&first.name, &first.hint, first.then.as_ref())
+                .of(&first.score)
+        })
     }
 
     /// What is told of a mistake for certain.
@@ -140,7 +152,11 @@ impl<'a> Trial<'a> {
             also: Vec::new(),
             ..self.told.clone()
         };
-        let shown = self.told.also.iter().filter(|also| also.beside == Beside::Shown);
+        let shown = self
+            .told
+            .also
+            .iter()
+            .filter(|also| also.beside == Beside::Shown);
         let then = then.map(|(name, hint)| one(name, hint, Beside::Together));
         Diagnosis {
             also: then.into_iter().chain(shown.cloned()).collect(),
@@ -166,7 +182,7 @@ fn number_of(examiner: &dyn Examiner, name: &str) -> Option<usize> {
 }
 
 /// What may have made the answers: first what is told, then the own mistakes that give nearly all of them.
-fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Vec<Suspect<'a>>> {
+fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
     let suspect = |name: &str, hint: &str, then: Option<&Diagnosis>, answer: Answer<'a>| {
         let predict = |k: usize| answer(&evidence.items[k].question);
@@ -183,24 +199,30 @@ fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Vec<Suspect
     let own = |i: usize| -> Answer<'a> {
         Box::new(move |question| attempt(|| examiner.mistake_answers(i, question))?)
     };
-    let second = told.also.iter().find(|also| also.beside != Beside::Shown);
+    let second = |beside| told.also.iter().find(move |also| also.beside == beside);
+    let apart = second(Beside::Apart).filter(|also| number_of(examiner, &also.name).is_some());
+    let second = second(Beside::Together).or(apart);
     let mut all: Vec<Suspect<'a>> = Vec::new();
     match (number_of(examiner, &told.name), second) {
-        (Some(first), Some(second)) => {
+        // Of lists that chance makes, two mistakes of which one undoes half of the other give the same as a third.
+        (Some(first), Some(second)) if evidence.is_judged() => {
             if let Some(other) = number_of(examiner, &second.name) {
                 let ways = ways(examiner, first, other).into_iter();
-                let ways = ways.filter_map(|way| suspect(&told.name, &told.hint, Some(second), way));
+                let ways =
+                    ways.filter_map(|way| suspect(&told.name, &told.hint, Some(second), way));
                 all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
             }
         }
         (Some(first), None) => all.extend(suspect(&told.name, &told.hint, None, own(first))),
-        (None, None) => all.extend(other(evidence, told).and_then(|answer| suspect(&told.name, &told.hint, None, answer))),
-        (None, Some(_)) => {}
+        (None, None) => all.extend(
+            other(evidence, told).and_then(|answer| suspect(&told.name, &told.hint, None, answer)),
+        ),
+        (_, Some(_)) => {}
     }
     let mistakes = examiner.mistakes().into_iter().enumerate();
     let others = mistakes.filter(|(_, (name, _))| second.is_some() || *name != told.name);
     all.extend(others.filter_map(|(i, (name, hint))| suspect(name, hint, None, own(i))));
-    (!all.is_empty()).then_some(all)
+    all
 }
 
 /// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle.
@@ -237,43 +259,67 @@ fn other<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
     Some(Box::new(move |question| slip.answer(question)))
 }
 
-/// Fair random questions on which the first suspect shows, and which tell it from the others, and some on which it does not show.
-fn telling(examiner: &dyn Examiner, suspects: &[Suspect<'_>], seed: &str) -> Vec<Case> {
+/// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,
+/// and such as are near to those of the wrong answers.
+fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], seed: &str) -> Vec<Case> {
     let Some((first, others)) = suspects.split_first() else {
         return Vec::new();
     };
+    let examiner = evidence.examiner;
     let rng = &mut visible_rng(seed);
     let (mut shown, mut hidden) = (0, 0);
     let mut told_from = vec![0; others.len()];
     let mut cases = Vec::new();
-    for _ in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
-        let question = examiner.random(rng);
+    for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
+        let question = if i % 2 == 0 {
+            examiner.random(rng)
+        } else {
+            near(&evidence.items[i / 2 % evidence.wrong].question, rng)
+        };
+        if i % 2 == 1 && !examiner.is_sound(&question) {
+            continue;
+        }
         let Some(answer) = (first.answer)(&question) else {
             continue;
         };
-        let is_right = |answer: &Vec<f64>| examiner.is_right(&question, answer);
-        if is_right(&answer) {
-            if hidden == HIDDEN || !is_stable(examiner, &question, rng) {
-                continue;
-            }
-            hidden += 1;
-        } else {
-            let differs = |other: &Suspect<'_>| (other.answer)(&question).as_ref() != Some(&answer);
-            let differ: Vec<_> = others.iter().map(differs).collect();
-            let mut each = told_from.iter().zip(&differ);
-            let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
-            if shown >= SHOWN || shown >= ENOUGH && !tells && shown >= SHOWN / 2 || !is_stable(examiner, &question, rng) {
-                continue;
-            }
+        let shows = !examiner.is_right(&question, &answer);
+        let differs = |other: &Suspect<'_>| (other.answer)(&question).as_ref() != Some(&answer);
+        let differ: Vec<_> = others.iter().map(differs).collect();
+        let mut each = told_from.iter().zip(&differ);
+        let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
+        let most = match (shows, tells) {
+            (true, true) => shown < SHOWN,
+            (true, false) => shown < SHOWN / 2,
+            (false, _) => hidden < HIDDEN,
+        };
+        if !most || !is_stable(examiner, &question, rng) {
+            continue;
+        }
+        if shows {
             shown += 1;
             for (count, differs) in told_from.iter_mut().zip(differ) {
                 *count += usize::from(differs);
             }
+        } else {
+            hidden += 1;
         }
         cases.extend(examiner.case("a further question", &question));
-        if shown >= SHOWN / 2 && hidden == HIDDEN && told_from.iter().all(|count| *count >= ENOUGH) {
+        let is_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
+        if shown >= SHOWN / 2 && hidden == HIDDEN && is_told {
             break;
         }
     }
     cases
+}
+
+/// A question whose numbers are a fifth larger or smaller at most, but for whole ones.
+fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+    let moved = question.iter().map(|v| {
+        if v.is_finite() && v.fract() != 0.0 {
+            f64::from((v * rng.random_range(0.8..1.2)) as f32)
+        } else {
+            *v
+        }
+    });
+    moved.collect()
 }

@@ -73,16 +73,19 @@ impl Rest {
         self.left > MOST * self.left_by_right
     }
 
-    /// Whether their mean is no chance.
+    /// Whether their mean is no chance, and something of the distance from the right answers.
     fn leans(&self) -> bool {
         /// Numbers that belong together, such as those of a colour, are no independent ones.
         const TOGETHER: f64 = 3.0;
         /// Standard errors.
         const MOST: f64 = 3.0;
+        /// The share of the squares that is nothing.
+        const NOTHING: f64 = 2e-3;
         let mean = self.sum / self.count;
         let variance = self.squares / self.count - mean * mean;
         let error = (variance.max(0.0) * TOGETHER / self.count).sqrt();
-        self.count > 0.0 && mean.abs() > MOST * error + 1e-3
+        let is_something = self.left > NOTHING * self.left_by_right;
+        self.count > 0.0 && is_something && mean.abs() > MOST * error + 1e-3
     }
 
     /// Whether it is about as large as the answers: they are small, and anything small is within a judge's tolerance of them.

@@ -304,6 +304,7 @@ fn explained(diagnosis: &Diagnosis, name: &str, and: &str) -> String {
         certain,
         explained,
         wrong,
+        further,
         ..
     } = diagnosis;
     let and = match (and, part) {
@@ -317,7 +318,15 @@ fn explained(diagnosis: &Diagnosis, name: &str, and: &str) -> String {
             1 => "the wrong one".to_owned(),
             _ => format!("{explained} of the {wrong} wrong ones"),
         };
-        format!("  {and}{your} answers are those of a function that {name}: this explains {wrong}.")
+        let further = match further {
+            0 => String::new(),
+            _ => format!(
+                ", and {further} of {further} to further questions that were asked to be sure"
+            ),
+        };
+        format!(
+            "  {and}{your} answers are those of a function that {name}: this explains {wrong}{further}."
+        )
     } else {
         let look = match (explained, wrong) {
             (_, 1) if and.is_empty() => "The wrong answer looks".to_owned(),

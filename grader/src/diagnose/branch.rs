@@ -95,6 +95,7 @@ pub fn search(
         certain: is_seen && wrong.len() > 1,
         explained: wrong.len(),
         wrong: wrong.len(),
+        further: 0,
         shown: None,
         beside: Beside::Apart,
         also: Vec::new(),

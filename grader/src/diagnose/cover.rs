@@ -80,6 +80,7 @@ impl Cover {
             certain,
             explained: one.score.explained,
             wrong: self.wrong,
+            further: 0,
             shown: one.shown,
             beside: Beside::Apart,
             also: Vec::new(),

@@ -123,6 +123,7 @@ fn told(flaw: &Flaw, complaints: &[(usize, String)], wrong: usize) -> Diagnosis 
         certain: explained == wrong,
         explained,
         wrong,
+        further: 0,
         shown: cases.into_iter().min(),
         beside: Beside::Apart,
         also: Vec::new(),

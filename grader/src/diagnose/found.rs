@@ -165,6 +165,7 @@ impl Found {
             certain: self.is_certain(),
             explained: self.score.explained,
             wrong: evidence.wrong,
+            further: 0,
             shown: evidence.first_explained(&self.answers),
             beside,
             also: Vec::new(),

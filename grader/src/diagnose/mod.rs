@@ -50,6 +50,8 @@ pub struct Diagnosis {
     pub explained: usize,
     /// How many answers are wrong.
     pub wrong: usize,
+    /// How many further wrong answers are the mistake's, which were asked for because it was in doubt.
+    pub further: usize,
     /// The first case that it explains, by its place among all cases, where that is known.
     pub shown: Option<usize>,
     /// How it goes with the mistake that is told before it, if there is one.

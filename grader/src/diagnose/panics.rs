@@ -164,6 +164,7 @@ fn common(outcomes: &[Outcome], wrong: usize) -> Option<Diagnosis> {
         certain: explained == wrong,
         explained,
         wrong,
+        further: 0,
         shown: outcomes.iter().position(|one| is_of(death, one)),
         beside: Beside::Apart,
         also: Vec::new(),

@@ -96,6 +96,7 @@ fn told(name: String, explained: usize, wrong: usize) -> Diagnosis {
         certain: false,
         explained,
         wrong,
+        further: 0,
         shown: None,
         beside: Beside::Apart,
         also: Vec::new(),

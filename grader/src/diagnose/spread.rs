@@ -282,6 +282,7 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely
         certain: false,
         explained: evidence.wrong,
         wrong: evidence.wrong,
+        further: 0,
         shown: None,
         beside,
         also: Vec::new(),

@@ -1,7 +1,7 @@
 //! The trial of a mistake that the answers leave in doubt: further questions on which it shows, and which tell it from others.
 //!
-//! Two wrong answers of yes or no are those of many mistakes. Who suspects one of them can ask where it shows: if each further answer is as
-//! it says, and not as any other suspect says, it is the one.
+//! Two wrong answers of yes or no are those of many mistakes. Who suspects one of them asks where it shows: if each further answer is as it
+//! says, and not as any other suspect says, it is the one.
 
 use super::evidence::{Evidence, Score};
 use super::misread::misreadings;
@@ -24,8 +24,10 @@ const ENOUGH: usize = 8;
 /// Questions on which it does not show.
 const HIDDEN: usize = 8;
 
-/// Random questions that are looked through, divided by the effort of an answer, and the fewest.
+/// Questions that are looked through, divided by the effort of an answer, …
 const DRAWN: usize = 2000;
+
+/// … and the fewest.
 const FEWEST: usize = 40;
 
 /// A suspect gives this many wrong answers for each that is not as it says.
@@ -44,13 +46,21 @@ type Answer<'a> = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a>;
 struct Suspect<'a> {
     name: String,
     hint: String,
-    /// A second mistake that is made with it.
-    then: Option<(String, String)>,
+    /// A second mistake that is made with it, or was told instead of it.
+    also: Option<Diagnosis>,
     answer: Answer<'a>,
+    /// How it explains the answers that are known.
     score: Score,
 }
 
-/// Further questions, and what is suspected.
+impl Suspect<'_> {
+    fn is_two(&self) -> bool {
+        let mut also = self.also.iter();
+        also.any(|also| also.beside == Beside::Together)
+    }
+}
+
+/// What is suspected, and what is asked to know.
 pub struct Trial<'a> {
     examiner: &'a dyn Examiner,
     told: &'a Diagnosis,
@@ -72,105 +82,87 @@ impl<'a> Trial<'a> {
             return None;
         }
         let evidence = Evidence::new(examiner, cases, answers);
-        let seed = format!("{}, once more", cases.last()?.question);
+        let rng = &mut visible_rng(&format!("{}, once more", cases.last()?.question));
         let suspects = suspects(&evidence, told);
-        let is_told = |first: &Suspect<'_>| evidence.is_judged() || first.name == told.name;
-        if suspects.first().is_some_and(is_told) {
-            let cases = telling(&evidence, &suspects, &seed);
-            return Some(Self {
-                examiner,
-                told,
-                suspects,
-                cases,
-            });
-        }
-        if evidence.is_judged() {
-            return None;
-        }
-        number_of(examiner, &told.name)?;
-        let rng = &mut visible_rng(&seed);
-        let random = (0..ROUNDS).map(|_| examiner.try_random_cases(rng));
-        let random = random.collect::<Result<Vec<_>, _>>().ok()?;
-        Some(Self {
+        let trial = |suspects, cases| Self {
             examiner,
             told,
-            suspects: Vec::new(),
-            cases: random.into_iter().flat_map(|one| one.cases).collect(),
-        })
+            suspects,
+            cases,
+        };
+        match suspects.first() {
+            Some(first) if evidence.is_judged() || first.name == told.name => {
+                let cases = telling(&evidence, &suspects, rng);
+                Some(trial(suspects, cases))
+            }
+            _ if evidence.is_judged() => None,
+            _ => {
+                number_of(examiner, &told.name)?;
+                let random = (0..ROUNDS).map(|_| examiner.try_random_cases(rng));
+                let random = random.collect::<Result<Vec<_>, _>>().ok()?;
+                let cases = random.into_iter().flat_map(|one| one.cases).collect();
+                Some(trial(Vec::new(), cases))
+            }
+        }
     }
 
-    /// What is told after it: for certain, if all is as one suspect says; else none. `cases` and `answers` are those of before and the further ones.
+    /// What is told after it: for certain, if all is as one suspect says; else none. `cases` and `answers` are those of before, and
+    /// behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         if self.suspects.is_empty() {
             let found = diagnose(self.examiner, cases, answers)?;
             let is_sure = found.certain && found.name == self.told.name;
-            return is_sure.then(|| self.told_of(&self.told.name, &self.told.hint, None));
+            let further = found.explained.checked_sub(self.told.explained)?;
+            return is_sure.then(|| Diagnosis {
+                further,
+                ..self.convicted(self.told, None)
+            });
         }
-        let further = cases.len() - self.cases.len();
-        let evidence = Evidence::new(self.examiner, &self.cases, &answers[further..]);
-        let is_left = |suspect: &&Suspect<'_>| {
-            let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
-            let score = evidence.score(1.0, answer);
-            score.is_some_and(|score| {
-                score.missed + score.contradicted == 0
-                    && score.explained >= ENOUGH
-                    && !score.is_doubtful
-            })
-        };
+        let before = cases.len() - self.cases.len();
+        let evidence = Evidence::new(self.examiner, &self.cases, &answers[before..]);
         if evidence.wrong < ENOUGH {
             return None;
         }
+        let is_left = |suspect: &&Suspect<'_>| {
+            let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
+            let score = evidence.score(1.0, answer);
+            score.is_some_and(|score| score.missed + score.contradicted == 0 && !score.is_doubtful)
+        };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
         // One mistake that explains as much as two is simpler.
-        left.sort_by_key(|suspect| suspect.then.is_some());
+        left.sort_by_key(|suspect| suspect.is_two());
         let (first, others) = left.split_first()?;
         // What cannot be told from it is the same mistake in other words.
         let is_same = |other: &&Suspect<'_>| {
-            let mut items = 0..evidence.items.len();
-            items.all(|k| {
-                let question = &evidence.items[k].question;
-                let [one, other] = [first, other].map(|suspect| (suspect.answer)(question));
-                one == other
-            })
+            let mut items = evidence.items.iter();
+            items.all(|item| (first.answer)(&item.question) == (other.answer)(&item.question))
         };
         let explains_more =
             |other: &&Suspect<'_>| other.score.explained > first.score.explained + BY_CHANCE;
-        let is_alone = others.iter().all(|one| is_same(one) && !explains_more(one));
-        is_alone.then(|| {
-            self.told_of(&first.name, &first.hint, first.then.as_ref())
-                .of(&first.score)
-        })
-    }
-
-    /// What is told of a mistake for certain.
-    fn told_of(&self, name: &str, hint: &str, then: Option<&(String, String)>) -> Diagnosis {
-        let one = |name: &str, hint: &str, beside| Diagnosis {
-            name: name.to_owned(),
-            hint: hint.to_owned(),
-            certain: true,
-            beside,
-            also: Vec::new(),
+        let is_the_one = others.iter().all(|one| is_same(one) && !explains_more(one));
+        let as_told = Diagnosis {
+            name: first.name.clone(),
+            hint: first.hint.clone(),
+            explained: first.score.explained,
+            further: evidence.wrong,
             ..self.told.clone()
         };
-        let shown = self
-            .told
-            .also
-            .iter()
-            .filter(|also| also.beside == Beside::Shown);
-        let then = then.map(|(name, hint)| one(name, hint, Beside::Together));
-        Diagnosis {
-            also: then.into_iter().chain(shown.cloned()).collect(),
-            ..one(name, hint, Beside::Apart)
-        }
+        is_the_one.then(|| self.convicted(&as_told, first.also.as_ref()))
     }
-}
 
-impl Diagnosis {
-    /// The same of as many answers as this score explains.
-    fn of(self, score: &Score) -> Self {
-        Self {
-            explained: score.explained,
-            ..self
+    /// What is told of a mistake for certain, and of another one with it, beside what there is to see of it.
+    fn convicted(&self, one: &Diagnosis, also: Option<&Diagnosis>) -> Diagnosis {
+        let sure = |told: &Diagnosis| Diagnosis {
+            certain: true,
+            explained: one.explained,
+            also: Vec::new(),
+            ..told.clone()
+        };
+        let all = self.told.also.iter();
+        let shown = all.filter(|also| also.beside == Beside::Shown).cloned();
+        Diagnosis {
+            also: also.map(sure).into_iter().chain(shown).collect(),
+            ..sure(one)
         }
     }
 }
@@ -184,14 +176,14 @@ fn number_of(examiner: &dyn Examiner, name: &str) -> Option<usize> {
 /// What may have made the answers: first what is told, then the own mistakes that give nearly all of them.
 fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
-    let suspect = |name: &str, hint: &str, then: Option<&Diagnosis>, answer: Answer<'a>| {
+    let suspect = |name: &str, hint: &str, also: Option<Diagnosis>, answer: Answer<'a>| {
         let predict = |k: usize| answer(&evidence.items[k].question);
         let score = evidence.score(0.5, predict)?;
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
         is_near.then(|| Suspect {
             name: name.to_owned(),
             hint: hint.to_owned(),
-            then: then.map(|then| (then.name.clone(), then.hint.clone())),
+            also,
             answer,
             score,
         })
@@ -201,52 +193,60 @@ fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     };
     let second = |beside| told.also.iter().find(move |also| also.beside == beside);
     let apart = second(Beside::Apart).filter(|also| number_of(examiner, &also.name).is_some());
-    let second = second(Beside::Together).or(apart);
     let mut all: Vec<Suspect<'a>> = Vec::new();
-    match (number_of(examiner, &told.name), second) {
-        // Of lists that chance makes, two mistakes of which one undoes half of the other give the same as a third.
-        (Some(first), Some(second)) if evidence.is_judged() => {
-            if let Some(other) = number_of(examiner, &second.name) {
-                let ways = ways(examiner, first, other).into_iter();
-                let ways =
-                    ways.filter_map(|way| suspect(&told.name, &told.hint, Some(second), way));
-                all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
-            }
+    match second(Beside::Together).or(apart) {
+        Some(second) => {
+            let also = Diagnosis {
+                beside: Beside::Together,
+                ..second.clone()
+            };
+            let two = [told, second].map(|one| number_of(examiner, &one.name));
+            let ways = ways(evidence, two).into_iter();
+            let ways =
+                ways.filter_map(|way| suspect(&told.name, &told.hint, Some(also.clone()), way));
+            all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
         }
-        (Some(first), None) => all.extend(suspect(&told.name, &told.hint, None, own(first))),
-        (None, None) => all.extend(
-            other(evidence, told).and_then(|answer| suspect(&told.name, &told.hint, None, answer)),
-        ),
-        (_, Some(_)) => {}
+        None => {
+            let number = number_of(examiner, &told.name);
+            let answer = number.map(own).or_else(|| guessed(evidence, told));
+            let also = second(Beside::Instead).cloned();
+            all.extend(answer.and_then(|answer| suspect(&told.name, &told.hint, also, answer)));
+        }
     }
-    let mistakes = examiner.mistakes().into_iter().enumerate();
-    let others = mistakes.filter(|(_, (name, _))| second.is_some() || *name != told.name);
+    let is_there = all.iter().any(|one| !one.is_two());
+    let others = examiner.mistakes().into_iter().enumerate();
+    let others = others.filter(|(_, (name, _))| !is_there || *name != told.name);
     all.extend(others.filter_map(|(i, (name, hint))| suspect(name, hint, None, own(i))));
     all
 }
 
-/// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle.
-fn ways<'a>(examiner: &'a dyn Examiner, first: usize, second: usize) -> Vec<Answer<'a>> {
+/// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle. Of lists
+/// that chance makes, two of which one undoes half of the other give the same as a third.
+fn ways<'a>(evidence: &Evidence<'a>, two: [Option<usize>; 2]) -> Vec<Answer<'a>> {
+    let examiner = evidence.examiner;
+    let [Some(one), Some(other)] = two.map(|number| number.filter(|_| evidence.is_judged())) else {
+        return Vec::new();
+    };
     let upon = |first, second| -> Answer<'a> {
         Box::new(move |question| {
             let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
             answer.map(|(answer, _)| answer)
         })
     };
-    let beside = TOGETHER.map(|together| -> Answer<'a> {
+    let beside = |together| -> Answer<'a> {
         Box::new(move |question| {
             let right = called(examiner.asked(), question)?;
             let alone = |i| attempt(|| examiner.mistake_answers(i, question))?;
-            of_two(&right, &alone(first)?, &alone(second)?, together)
+            of_two(&right, &alone(one)?, &alone(other)?, together)
         })
-    });
-    let mut ways = vec![upon(first, second), upon(second, first)];
-    ways.extend(beside);
+    };
+    let mut ways = vec![upon(one, other), upon(other, one)];
+    ways.extend(TOGETHER.map(beside));
     ways
 }
 
 /// What one answers who misreads the question, or goes wrong at a step, as is told.
-fn other<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
+fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
     let asked = evidence.examiner.asked();
     let mut readings = misreadings(asked.question, evidence.examiner.limits()).into_iter();
     if let Some(reading) = readings.find(|reading| reading.name == told.name) {
@@ -260,23 +260,27 @@ fn other<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
 }
 
 /// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,
-/// and such as are near to those of the wrong answers.
-fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], seed: &str) -> Vec<Case> {
+/// and such as are near to those whose wrong answers it explains.
+fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> Vec<Case> {
     let Some((first, others)) = suspects.split_first() else {
         return Vec::new();
     };
     let examiner = evidence.examiner;
-    let rng = &mut visible_rng(seed);
+    let wrong = evidence.items[..evidence.wrong].iter().enumerate();
+    let explained = wrong.filter(|(k, item)| {
+        let answer = (first.answer)(&item.question);
+        answer.is_some_and(|answer| evidence.explains(*k, &answer))
+    });
+    let explained: Vec<_> = explained.map(|(_, item)| &item.question).collect();
     let (mut shown, mut hidden) = (0, 0);
     let mut told_from = vec![0; others.len()];
     let mut cases = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
-        let question = if i % 2 == 0 {
-            examiner.random(rng)
-        } else {
-            near(&evidence.items[i / 2 % evidence.wrong].question, rng)
+        let question = match explained.get(i / 2 % explained.len().max(1)) {
+            Some(wrong) if i % 2 == 1 => near(wrong, rng),
+            _ => examiner.random(rng),
         };
-        if i % 2 == 1 && !examiner.is_sound(&question) {
+        if !examiner.is_sound(&question) {
             continue;
         }
         let Some(answer) = (first.answer)(&question) else {
@@ -287,12 +291,12 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], seed: &str) -> Vec
         let differ: Vec<_> = others.iter().map(differs).collect();
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
-        let most = match (shows, tells) {
+        let is_wanted = match (shows, tells) {
             (true, true) => shown < SHOWN,
             (true, false) => shown < SHOWN / 2,
             (false, _) => hidden < HIDDEN,
         };
-        if !most || !is_stable(examiner, &question, rng) {
+        if !is_wanted || !is_stable(examiner, &question, rng) {
             continue;
         }
         if shows {
@@ -304,8 +308,8 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], seed: &str) -> Vec
             hidden += 1;
         }
         cases.extend(examiner.case("a further question", &question));
-        let is_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
-        if shown >= SHOWN / 2 && hidden == HIDDEN && is_told {
+        let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
+        if shown >= SHOWN / 2 && hidden == HIDDEN && are_told {
             break;
         }
     }

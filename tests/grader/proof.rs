@@ -9,7 +9,8 @@ mod rare;
 use equivalent::EQUIVALENT;
 use raybook_common::{STALE, measured};
 use raybook_grader::cases;
-use raybook_grader::diagnose::diagnose;
+use raybook_grader::diagnose::trial::Trial;
+use raybook_grader::diagnose::{Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use rayon::prelude::*;
@@ -57,6 +58,8 @@ struct Proof {
     escaped: Vec<String>,
     /// Who is told another name than the mistake's own, or none, after the visible cases.
     misnamed: Vec<String>,
+    /// Are told by their own name, and for certain.
+    certainly: usize,
     /// Are told by another name, and for certain.
     falsely: usize,
     /// The share of random questions on which the rarest mistake shows; all of them are caught.
@@ -71,18 +74,14 @@ impl Proof {
             mistakes: 0,
             escaped: Vec::new(),
             misnamed: Vec::new(),
+            certainly: 0,
             falsely: 0,
             rarest: 1.0,
         };
         for (i, (name, _)) in examiner.mistakes().into_iter().enumerate() {
             proof.mistakes += 1;
             let who = || format!("{}: who {name}", proof.name);
-            let answer = |case: &Case| {
-                let answer = examiner.mistaken(i, &case.question);
-                let right = is_right(examiner, case, answer.as_deref());
-                (answer, right)
-            };
-            let answers: Vec<_> = visible.iter().map(answer).collect();
+            let answers = answers(examiner, i, visible);
             let wrong = |(case, (_, right)): (&Case, &(_, bool))| !right && !case.is_random();
             let fails_a_named_case = visible.iter().zip(&answers).any(wrong);
             let fails = |cases: &Vec<Case>| cases.iter().any(|case| !passes(examiner, i, case));
@@ -90,11 +89,14 @@ impl Proof {
             if !fails_visibly || !fails_a_named_case && !asked.hidden.iter().all(fails) {
                 proof.escaped.push(who());
             }
-            let found = diagnose(examiner, visible, &answers);
+            let found = told(examiner, i, visible, answers);
+            let is_certain = found.as_ref().is_some_and(|found| found.certain);
             if found.as_ref().is_none_or(|found| found.name != name) {
                 let told = found.as_ref().map(|found| &found.name);
                 proof.misnamed.push(format!("{}: {told:?}", who()));
-                proof.falsely += usize::from(found.is_some_and(|found| found.certain));
+                proof.falsely += usize::from(is_certain);
+            } else {
+                proof.certainly += usize::from(is_certain);
             }
             proof.rarest = proof.rarest.min(share(examiner, i, &asked.hidden));
         }
@@ -118,15 +120,41 @@ impl Proof {
         let Self {
             name,
             mistakes,
+            certainly,
             falsely,
             ..
         } = self;
         let (caught, named, same) = (self.caught(), self.named(), self.equivalent());
         let rarest = 100.0 * self.rarest;
         format!(
-            "| `{name}` | {mistakes} | {caught} | {named} | {falsely} | {same} | {rarest:.1} % |"
+            "| `{name}` | {mistakes} | {caught} | {named} | {certainly} | {falsely} | {same} | {rarest:.1} % |"
         )
     }
+}
+
+/// What mistake number i answers, and whether that is right.
+fn answers(examiner: &dyn Examiner, i: usize, cases: &[Case]) -> Vec<(Option<String>, bool)> {
+    let answer = |case: &Case| {
+        let answer = examiner.mistaken(i, &case.question);
+        let right = is_right(examiner, case, answer.as_deref());
+        (answer, right)
+    };
+    cases.iter().map(answer).collect()
+}
+
+/// What is told of mistake number i that answers so, after a trial if it is in doubt.
+fn told(
+    examiner: &dyn Examiner,
+    i: usize,
+    cases: &[Case],
+    mut known: Vec<(Option<String>, bool)>,
+) -> Option<Diagnosis> {
+    let told = diagnose(examiner, cases, &known)?;
+    let verdict = Trial::new(examiner, cases, &known, &told).and_then(|trial| {
+        known.extend(answers(examiner, i, &trial.cases));
+        trial.verdict(&[cases, &trial.cases].concat(), &known)
+    });
+    Some(verdict.unwrap_or(told))
 }
 
 /// The share of random questions that mistake number i answers wrong, counted until some are.
@@ -159,17 +187,18 @@ static PROOFS: LazyLock<Vec<Proof>> = LazyLock::new(|| ASKED.par_iter().map(Proo
 fn table(proofs: &[Proof]) -> String {
     let sum = |of: fn(&Proof) -> usize| proofs.iter().map(of).sum::<usize>();
     let (mistakes, caught) = (sum(|p| p.mistakes), sum(Proof::caught));
-    let (named, falsely) = (sum(Proof::named), sum(|p| p.falsely));
+    let named = sum(Proof::named);
+    let (certainly, falsely) = (sum(|p| p.certainly), sum(|p| p.falsely));
     let same = sum(Proof::equivalent);
     let mut table = String::from(
-        "| exercise | mistakes | caught | named | named falsely, for certain | equivalent | rarest that is caught |\n|---|---|---|---|---|---|---|\n",
+        "| exercise | mistakes | caught | named | for certain | falsely, for certain | equivalent | rarest that is caught |\n|---|---|---|---|---|---|---|---|\n",
     );
     for proof in proofs {
         let _ = writeln!(table, "{}", proof.row());
     }
     let _ = writeln!(
         table,
-        "| **all** | {mistakes} | {caught} | {named} | {falsely} | {same} | |"
+        "| **all** | {mistakes} | {caught} | {named} | {certainly} | {falsely} | {same} | |"
     );
     table
 }

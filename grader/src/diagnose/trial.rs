@@ -4,7 +4,7 @@
 //! says, and not as any other suspect says, it is the one.
 
 use super::evidence::{Evidence, Score};
-use super::misread::misreadings;
+use super::misread::{Misreading, misreadings};
 use super::pairs::{TOGETHER, of_two};
 use super::search::called;
 use super::slips::slipped;
@@ -14,6 +14,7 @@ use crate::examine::{Case, Examiner, visible_rng};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::exercise::Asked;
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -49,6 +50,8 @@ struct Suspect<'a> {
     /// A second mistake that is made with it, or was told instead of it.
     also: Option<Diagnosis>,
     answer: Answer<'a>,
+    /// Whether it is none of the exercise's own: of guesses there are many.
+    is_guess: bool,
     /// How it explains the answers that are known.
     score: Score,
 }
@@ -129,13 +132,15 @@ impl<'a> Trial<'a> {
             score.is_some_and(|score| score.missed + score.contradicted == 0 && !score.is_doubtful)
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
-        // One mistake that explains as much as two is simpler.
-        left.sort_by_key(|suspect| suspect.is_two());
+        // One of the exercise's own says more than a guess, and one that explains as much as two is simpler.
+        left.sort_by_key(|suspect| (suspect.is_guess, suspect.is_two()));
         let (first, others) = left.split_first()?;
-        // What cannot be told from it is the same mistake in other words.
+        // What cannot be told from an own mistake is the same in other words; what cannot be told from a guess is another guess.
         let is_same = |other: &&Suspect<'_>| {
             let mut items = evidence.items.iter();
-            items.all(|item| (first.answer)(&item.question) == (other.answer)(&item.question))
+            !first.is_guess
+                && items
+                    .all(|item| (first.answer)(&item.question) == (other.answer)(&item.question))
         };
         let explains_more =
             |other: &&Suspect<'_>| other.score.explained > first.score.explained + BY_CHANCE;
@@ -173,10 +178,11 @@ fn number_of(examiner: &dyn Examiner, name: &str) -> Option<usize> {
     all.position(|(own, _)| own == name)
 }
 
-/// What may have made the answers: first what is told, then the own mistakes that give nearly all of them.
+/// What may have made the answers: first what is told, then the own mistakes that give nearly all of them, and beside a guess the other
+/// ways to misread the question that do.
 fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
-    let suspect = |name: &str, hint: &str, also: Option<Diagnosis>, answer: Answer<'a>| {
+    let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
         let predict = |k: usize| answer(&evidence.items[k].question);
         let score = evidence.score(0.5, predict)?;
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
@@ -185,38 +191,45 @@ fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
             hint: hint.to_owned(),
             also,
             answer,
+            is_guess,
             score,
         })
     };
     let own = |i: usize| -> Answer<'a> {
         Box::new(move |question| attempt(|| examiner.mistake_answers(i, question))?)
     };
+    let words = (&*told.name, &*told.hint);
+    let number = number_of(examiner, &told.name);
     let second = |beside| told.also.iter().find(move |also| also.beside == beside);
     let apart = second(Beside::Apart).filter(|also| number_of(examiner, &also.name).is_some());
     let mut all: Vec<Suspect<'a>> = Vec::new();
-    match second(Beside::Together).or(apart) {
-        Some(second) => {
-            let also = Diagnosis {
-                beside: Beside::Together,
-                ..second.clone()
-            };
-            let two = [told, second].map(|one| number_of(examiner, &one.name));
-            let ways = ways(evidence, two).into_iter();
-            let ways =
-                ways.filter_map(|way| suspect(&told.name, &told.hint, Some(also.clone()), way));
-            all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
-        }
-        None => {
-            let number = number_of(examiner, &told.name);
-            let answer = number.map(own).or_else(|| guessed(evidence, told));
-            let also = second(Beside::Instead).cloned();
-            all.extend(answer.and_then(|answer| suspect(&told.name, &told.hint, also, answer)));
+    if let Some(second) = second(Beside::Together).or(apart) {
+        let also = Diagnosis {
+            beside: Beside::Together,
+            ..second.clone()
+        };
+        let ways = ways(evidence, [number, number_of(examiner, &second.name)]).into_iter();
+        let ways = ways.filter_map(|way| suspect(words, false, Some(also.clone()), way));
+        all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
+    } else if let Some(number) = number {
+        let also = second(Beside::Instead).cloned();
+        all.extend(suspect(words, false, also, own(number)));
+    } else if let Some(answer) = guessed(evidence, told) {
+        let also = second(Beside::Instead).cloned();
+        all.extend(suspect(words, true, also, answer));
+        let asked = examiner.asked();
+        for reading in misreadings(asked.question, examiner.limits()) {
+            let (name, hint) = (reading.name.clone(), reading.hint.clone());
+            let is_told = |one: &Diagnosis| one.name == name;
+            if !is_told(told) && !told.also.iter().any(is_told) {
+                all.extend(suspect((&name, &hint), true, None, read(asked, reading)));
+            }
         }
     }
     let is_there = all.iter().any(|one| !one.is_two());
     let others = examiner.mistakes().into_iter().enumerate();
     let others = others.filter(|(_, (name, _))| !is_there || *name != told.name);
-    all.extend(others.filter_map(|(i, (name, hint))| suspect(name, hint, None, own(i))));
+    all.extend(others.filter_map(|(i, words)| suspect(words, false, None, own(i))));
     all
 }
 
@@ -250,13 +263,16 @@ fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> 
     let asked = evidence.examiner.asked();
     let mut readings = misreadings(asked.question, evidence.examiner.limits()).into_iter();
     if let Some(reading) = readings.find(|reading| reading.name == told.name) {
-        return Some(Box::new(move |question| {
-            called(asked, &reading.read_or_not(asked.question, question))
-        }));
+        return Some(read(asked, reading));
     }
     let mut slips = slipped(evidence).into_iter();
     let slip = slips.find(|slip| slip.name == told.name && !slip.is_doubtful())?;
     Some(Box::new(move |question| slip.answer(question)))
+}
+
+/// The right answers to questions that are misread.
+fn read<'a>(asked: &'static Asked, reading: Misreading) -> Answer<'a> {
+    Box::new(move |question| called(asked, &reading.read_or_not(asked.question, question)))
 }
 
 /// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,

@@ -26,12 +26,13 @@ mod undone;
 mod unforeseen;
 mod written;
 
+use crate::trial::tried;
 use function::answers;
 use mistakes::{MISTAKES, Slip};
 use raybook_grader::cases;
+use raybook_grader::diagnose::Diagnosis;
 use raybook_grader::diagnose::misread::misreadings;
-use raybook_grader::diagnose::{Diagnosis, diagnose};
-use raybook_grader::examine::{Examiner, visible_rng};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
 use rayon::prelude::*;
 use students::STUDENTS;
 
@@ -177,11 +178,12 @@ fn fate(slip: &Slip) -> Fate {
     let examiner = cases::find(slip.exercise).expect("the exercise exists");
     let cases = examiner.cases(&mut visible_rng(slip.exercise)).cases;
     let call = examiner.asked().call;
-    let answers = answers(examiner, &cases, |q| Some((slip.answer)(q, &call)));
-    if answers.iter().all(|(_, right)| *right) {
+    let answers = |cases: &[Case]| answers(examiner, cases, |q| Some((slip.answer)(q, &call)));
+    if answers(&cases).iter().all(|(_, right)| *right) {
         return Fate::Passed;
     }
-    let Some(diagnosis) = diagnose(examiner, &cases, &answers) else {
+    let answer = |case: &Case| answers(std::slice::from_ref(case)).remove(0);
+    let Some(diagnosis) = tried(examiner, &cases, answer) else {
         return Fate::Unnamed;
     };
     let told = told(&diagnosis);

@@ -48,5 +48,6 @@ mod stat;
 mod store;
 mod tour;
 mod traits;
+mod trial;
 mod untrusted;
 mod usage;

@@ -6,11 +6,10 @@
 mod equivalent;
 mod rare;
 
+use crate::trial::tried;
 use equivalent::EQUIVALENT;
 use raybook_common::{STALE, measured};
 use raybook_grader::cases;
-use raybook_grader::diagnose::trial::Trial;
-use raybook_grader::diagnose::{Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use rayon::prelude::*;
@@ -81,7 +80,12 @@ impl Proof {
         for (i, (name, _)) in examiner.mistakes().into_iter().enumerate() {
             proof.mistakes += 1;
             let who = || format!("{}: who {name}", proof.name);
-            let answers = answers(examiner, i, visible);
+            let answer = |case: &Case| {
+                let answer = examiner.mistaken(i, &case.question);
+                let right = is_right(examiner, case, answer.as_deref());
+                (answer, right)
+            };
+            let answers: Vec<_> = visible.iter().map(answer).collect();
             let wrong = |(case, (_, right)): (&Case, &(_, bool))| !right && !case.is_random();
             let fails_a_named_case = visible.iter().zip(&answers).any(wrong);
             let fails = |cases: &Vec<Case>| cases.iter().any(|case| !passes(examiner, i, case));
@@ -89,7 +93,7 @@ impl Proof {
             if !fails_visibly || !fails_a_named_case && !asked.hidden.iter().all(fails) {
                 proof.escaped.push(who());
             }
-            let found = told(examiner, i, visible, answers);
+            let found = tried(examiner, visible, answer);
             let is_certain = found.as_ref().is_some_and(|found| found.certain);
             if found.as_ref().is_none_or(|found| found.name != name) {
                 let told = found.as_ref().map(|found| &found.name);
@@ -130,31 +134,6 @@ impl Proof {
             "| `{name}` | {mistakes} | {caught} | {named} | {certainly} | {falsely} | {same} | {rarest:.1} % |"
         )
     }
-}
-
-/// What mistake number i answers, and whether that is right.
-fn answers(examiner: &dyn Examiner, i: usize, cases: &[Case]) -> Vec<(Option<String>, bool)> {
-    let answer = |case: &Case| {
-        let answer = examiner.mistaken(i, &case.question);
-        let right = is_right(examiner, case, answer.as_deref());
-        (answer, right)
-    };
-    cases.iter().map(answer).collect()
-}
-
-/// What is told of mistake number i that answers so, after a trial if it is in doubt.
-fn told(
-    examiner: &dyn Examiner,
-    i: usize,
-    cases: &[Case],
-    mut known: Vec<(Option<String>, bool)>,
-) -> Option<Diagnosis> {
-    let told = diagnose(examiner, cases, &known)?;
-    let verdict = Trial::new(examiner, cases, &known, &told).and_then(|trial| {
-        known.extend(answers(examiner, i, &trial.cases));
-        trial.verdict(&[cases, &trial.cases].concat(), &known)
-    });
-    Some(verdict.unwrap_or(told))
 }
 
 /// The share of random questions that mistake number i answers wrong, counted until some are.

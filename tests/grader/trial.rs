@@ -1,0 +1,126 @@
+//! A mistake in doubt is put on trial: further answers tell it for certain, or leave it in doubt.
+
+use raybook_grader::cases;
+use raybook_grader::diagnose::trial::Trial;
+use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
+use raybook_grader::examine::{Case, Examiner, visible_rng};
+
+/// What is told of one who answers these cases so, after a trial if it is in doubt. An answer comes with whether it is right.
+pub fn tried(
+    examiner: &dyn Examiner,
+    cases: &[Case],
+    answer: impl Fn(&Case) -> (Option<String>, bool),
+) -> Option<Diagnosis> {
+    let mut answers: Vec<_> = cases.iter().map(&answer).collect();
+    let told = diagnose(examiner, cases, &answers)?;
+    let verdict = Trial::new(examiner, cases, &answers, &told).and_then(|trial| {
+        answers.extend(trial.cases.iter().map(&answer));
+        trial.verdict(&[cases, &trial.cases].concat(), &answers)
+    });
+    Some(verdict.unwrap_or(told))
+}
+
+/// The exercise, its visible cases, and the number of the mistake that is called so.
+fn mistake(exercise: &str, name: &str) -> (&'static dyn Examiner, Vec<Case>, usize) {
+    let examiner = cases::find(exercise).expect("the exercise exists");
+    let cases = examiner.cases(&mut visible_rng(exercise)).cases;
+    let number = examiner.mistakes().iter().position(|one| one.0 == name);
+    (examiner, cases, number.expect("the mistake exists"))
+}
+
+/// An answer in words, and whether it is right.
+fn judged(examiner: &dyn Examiner, case: &Case, answer: String) -> (Option<String>, bool) {
+    let verdict = examiner.judge(&case.question, &case.answers, &answer);
+    (Some(answer), verdict.is_ok())
+}
+
+/// Yes or no in a few cases is explained by many mistakes.
+const SHADOW: &str = "steps to the normal's side, wherever the light is";
+
+#[test]
+fn a_mistake_that_few_answers_show_is_certain_after_its_trial() {
+    let (examiner, cases, number) = mistake("lit", SHADOW);
+    let answer = |case: &Case| {
+        let answer = examiner
+            .mistaken(number, &case.question)
+            .expect("an answer");
+        judged(examiner, case, answer)
+    };
+    let answers: Vec<_> = cases.iter().map(answer).collect();
+    let before = diagnose(examiner, &cases, &answers).expect("it has a name");
+    let after = tried(examiner, &cases, answer).expect("it has a name");
+    assert_eq!([&*before.name, &*after.name], [SHADOW; 2]);
+    assert_eq!([before.certain, after.certain], [false, true]);
+    assert_eq!(before.explained, after.explained);
+    assert!(after.further >= 8, "{after:?}");
+}
+
+#[test]
+fn who_errs_like_a_mistake_in_the_cases_only_is_not_convicted_of_it() {
+    let (examiner, cases, number) = mistake("lit", SHADOW);
+    let after = tried(examiner, &cases, |case| {
+        let wrong = examiner
+            .mistaken(number, &case.question)
+            .expect("an answer");
+        let is_known = cases.iter().any(|known| known.question == case.question);
+        let answer = if is_known {
+            wrong
+        } else {
+            case.answers[0].clone()
+        };
+        judged(examiner, case, answer)
+    });
+    let after = after.expect("it has a name");
+    assert_eq!((&*after.name, after.certain), (SHADOW, false));
+}
+
+#[test]
+fn two_mistakes_in_the_same_answers_are_both_certain() {
+    let first = "forgets the diffuse term's cosine";
+    let second = "has a highlight on the far side too";
+    let (examiner, cases, number) = mistake("phong", first);
+    let (.., other) = mistake("phong", second);
+    let asked = examiner.asked();
+    let after = tried(examiner, &cases, |case| {
+        let question = asked.read_question(&case.question).expect("a question");
+        let right = (asked.call)(&question);
+        let alone = [number, other].map(|i| examiner.mistake_answers(i, &question));
+        let [one, two] = alone.map(|answer| answer.expect("an answer"));
+        // Each is in a summand of its own.
+        let both = right.iter().zip(one.iter().zip(&two));
+        let both: Vec<_> = both.map(|(right, (one, two))| one + two - right).collect();
+        judged(
+            examiner,
+            case,
+            raybook_workbook::row::format(asked.answer.kind, &both),
+        )
+    });
+    let after = after.expect("they have names");
+    let [also] = &after.also[..] else {
+        panic!("one beside the other: {after:?}");
+    };
+    let mut names = [&*after.name, &*also.name];
+    names.sort_unstable();
+    assert_eq!(names, [first, second]);
+    assert_eq!(also.beside, Beside::Together);
+    assert!(after.certain && also.certain, "{after:?}");
+}
+
+/// Of a scale that is far too small or too large, yes and no tell nothing but that.
+#[test]
+fn a_guess_that_is_one_of_many_stays_one() {
+    let (examiner, cases, _) = mistake("needs_more", "divides the difference by the mean");
+    let asked = examiner.asked();
+    let after = tried(examiner, &cases, |case| {
+        let mut question = asked.read_question(&case.question).expect("a question");
+        // The limits of the error and of the contrast are the first numbers.
+        question[0] *= 1e-4;
+        let answer = (asked.call)(&question);
+        judged(
+            examiner,
+            case,
+            raybook_workbook::row::format(asked.answer.kind, &answer),
+        )
+    });
+    assert!(after.is_none_or(|after| !after.certain || !after.name.contains("degrees")));
+}

@@ -258,31 +258,39 @@ fn diagnosed(diagnosis: &Diagnosis, dress: Dress) -> Vec<String> {
             hints.push(&also.hint);
         }
     }
-    let mut lines = vec![explained(diagnosis, &names, "")];
+    let first = match diagnosis.beside {
+        Beside::Shown => shown(diagnosis, &names),
+        _ => explained(diagnosis, &names, ""),
+    };
+    let mut lines = vec![first];
     lines.extend(hints.into_iter().map(|hint| format!("  Hint: {hint}")));
     for also in of(Beside::Apart) {
         lines.push(explained(also, &dress.paint("1", &also.name), "And "));
         lines.push(format!("  Hint: {}", also.hint));
     }
     for seen in of(Beside::Shown) {
-        let name = dress.paint("1", &seen.name);
-        lines.push(match seen.wrong {
-            1 => format!("  It shows in the wrong answer: your function {name}."),
-            wrong => format!(
-                "  It shows in {} of the {wrong} wrong answers: your function {name}.",
-                seen.explained
-            ),
-        });
+        lines.push(shown(seen, &dress.paint("1", &seen.name)));
         lines.push(format!("  Hint: {}", seen.hint));
     }
     lines.extend(unexplained(diagnosis));
     lines
 }
 
+/// What is there to see in the answers, by this name.
+fn shown(seen: &Diagnosis, name: &str) -> String {
+    match seen.wrong {
+        1 => format!("  It shows in the wrong answer: your function {name}."),
+        wrong => format!(
+            "  It shows in {} of the {wrong} wrong answers: your function {name}.",
+            seen.explained
+        ),
+    }
+}
+
 /// What is said of the wrong answers that no mistake explains. Of an answer in parts each part has its own.
 fn unexplained(diagnosis: &Diagnosis) -> Option<String> {
     let apart = diagnosis.also.iter();
-    let apart = apart.filter(|also| also.beside == Beside::Apart);
+    let apart = apart.filter(|also| [Beside::Apart, diagnosis.beside].contains(&also.beside));
     if diagnosis.part.is_some() || apart.clone().any(|also| also.part.is_some()) {
         return None;
     }
@@ -292,9 +300,10 @@ fn unexplained(diagnosis: &Diagnosis) -> Option<String> {
         1 => "the other wrong answer".to_owned(),
         left => format!("the other {left} wrong answers"),
     };
-    Some(format!(
-        "  This does not explain {other}: mend it, and check again."
-    ))
+    Some(match diagnosis.beside {
+        Beside::Shown => format!("  It does not show in {other}."),
+        _ => format!("  This does not explain {other}: mend it, and check again."),
+    })
 }
 
 /// What a mistake of this name explains, behind a word that joins it to the one before.

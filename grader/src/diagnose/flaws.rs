@@ -80,7 +80,7 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     }
     let mut found: Vec<_> = flaws
         .iter()
-        .map(|flaw| told(flaw, &complaints, evidence.wrong))
+        .map(|flaw| told(examiner, flaw, &complaints, evidence.wrong))
         .collect();
     found.retain(|one| one.explained > 0);
     found.sort_by_key(|one| Reverse(one.explained));
@@ -93,10 +93,7 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     // A few answers may have another flaw that hides this one.
     first.certain = first.explained + also == evidence.wrong && also <= first.explained / 8;
     // What has the name of a mistake says what the function does everywhere, which more right answers than wrong ones deny.
-    let is_mistake = examiner
-        .mistakes()
-        .iter()
-        .any(|(name, _)| *name == first.name);
+    let is_mistake = first.beside == Beside::Apart;
     first.certain &= !is_mistake || 2 * evidence.wrong >= evidence.items.len();
     ((first.explained + also) as f64 >= share * evidence.wrong as f64).then_some(first)
 }
@@ -106,11 +103,19 @@ pub fn of_all_together(examiner: &dyn Examiner, why: &str, answers: usize) -> Op
     let complaints: Vec<_> = (0..answers).map(|case| (case, why.to_owned())).collect();
     let mut flaws = examiner.flaws().iter();
     let flaw = flaws.find(|flaw| why.contains(flaw.complaint))?;
-    Some(told(flaw, &complaints, answers))
+    Some(told(examiner, flaw, &complaints, answers))
 }
 
-/// A flaw, and how many of the complaints, each of a case, are about it.
-fn told(flaw: &Flaw, complaints: &[(usize, String)], wrong: usize) -> Diagnosis {
+/// A flaw, and how many of the complaints, each of a case, are about it. It is there to see, and explains nothing, unless it is called as a
+/// mistake is.
+fn told(
+    examiner: &dyn Examiner,
+    flaw: &Flaw,
+    complaints: &[(usize, String)],
+    wrong: usize,
+) -> Diagnosis {
+    let mistakes = examiner.mistakes();
+    let is_mistake = mistakes.iter().any(|(name, _)| *name == flaw.name);
     let of_it = complaints
         .iter()
         .filter(|(_, why)| why.contains(flaw.complaint));
@@ -125,7 +130,11 @@ fn told(flaw: &Flaw, complaints: &[(usize, String)], wrong: usize) -> Diagnosis 
         wrong,
         further: 0,
         shown: cases.into_iter().min(),
-        beside: Beside::Apart,
+        beside: if is_mistake {
+            Beside::Apart
+        } else {
+            Beside::Shown
+        },
         also: Vec::new(),
     }
 }

@@ -15,12 +15,16 @@ use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercise::Asked;
+use std::collections::BTreeSet;
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
 
 /// Questions on which it shows that tell enough, and those by which it is told from each other suspect.
 const ENOUGH: usize = 8;
+
+/// The same of estimates, which scatter.
+const ENOUGH_ROUGH: usize = 24;
 
 /// Questions on which it does not show.
 const HIDDEN: usize = 8;
@@ -33,6 +37,9 @@ const FEWEST: usize = 40;
 
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
+
+/// Different answers that tell a guess from others.
+const VARIED: usize = 4;
 
 /// Wrong answers that a second mistake explains by chance.
 const BY_CHANCE: usize = 1;
@@ -81,12 +88,17 @@ impl<'a> Trial<'a> {
         answers: &[(Option<String>, bool)],
         told: &'a Diagnosis,
     ) -> Option<Self> {
-        if told.certain || told.part.is_some() {
+        let is_guess = number_of(examiner, &told.name).is_none();
+        if told.part.is_some() || told.certain && (!is_guess || told.beside == Beside::Shown) {
             return None;
         }
         let evidence = Evidence::new(examiner, cases, answers);
         let rng = &mut visible_rng(&format!("{}, once more", cases.last()?.question));
         let suspects = suspects(&evidence, told);
+        // A guess that is certain is told, unless one of the exercise's own says the same.
+        if told.certain && suspects.iter().all(|suspect| suspect.is_guess) {
+            return None;
+        }
         let trial = |suspects, cases| Self {
             examiner,
             told,
@@ -126,10 +138,17 @@ impl<'a> Trial<'a> {
         if evidence.wrong < ENOUGH {
             return None;
         }
+        // Yes and no are those of many guesses.
+        let wrong = evidence.items[..evidence.wrong].iter();
+        let differ: BTreeSet<&str> = wrong.map(|item| item.text.trim()).collect();
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
             let score = evidence.score(1.0, answer);
-            score.is_some_and(|score| score.missed + score.contradicted == 0 && !score.is_doubtful)
+            score.is_some_and(|score| {
+                let is_sharp = score.sharp == score.explained && differ.len() >= VARIED;
+                let is_told = !suspect.is_guess || is_sharp;
+                score.missed + score.contradicted == 0 && !score.is_doubtful && is_told
+            })
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
         // One of the exercise's own says more than a guess, and one that explains as much as two is simpler.
@@ -142,8 +161,9 @@ impl<'a> Trial<'a> {
                 && items
                     .all(|item| (first.answer)(&item.question) == (other.answer)(&item.question))
         };
-        let explains_more =
-            |other: &&Suspect<'_>| other.score.explained > first.score.explained + BY_CHANCE;
+        let explains_more = |other: &&Suspect<'_>| {
+            other.is_two() && other.score.explained > first.score.explained + BY_CHANCE
+        };
         let is_the_one = others.iter().all(|one| is_same(one) && !explains_more(one));
         let as_told = Diagnosis {
             name: first.name.clone(),
@@ -288,6 +308,11 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         answer.is_some_and(|answer| evidence.explains(*k, &answer))
     });
     let explained: Vec<_> = explained.map(|(_, item)| &item.question).collect();
+    let least = if evidence.is_rough() {
+        ENOUGH_ROUGH
+    } else {
+        SHOWN / 2
+    };
     let (mut shown, mut hidden) = (0, 0);
     let mut told_from = vec![0; others.len()];
     let mut cases = Vec::new();
@@ -309,7 +334,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
         let is_wanted = match (shows, tells) {
             (true, true) => shown < SHOWN,
-            (true, false) => shown < SHOWN / 2,
+            (true, false) => shown < least,
             (false, _) => hidden < HIDDEN,
         };
         if !is_wanted || !is_stable(examiner, &question, rng) {
@@ -325,7 +350,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         }
         cases.extend(examiner.case("a further question", &question));
         let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
-        if shown >= SHOWN / 2 && hidden == HIDDEN && are_told {
+        if shown >= least && hidden == HIDDEN && are_told {
             break;
         }
     }

@@ -649,5 +649,14 @@ impl Graded for OctreeBuild {
             hint: "What is 3/2 in your language, if both are integers?",
             answer: |q| with_limit(q, |copies, made| copies / made.floor().max(1.0)),
         },
+        Mistake {
+            name: "takes a quarter of the cost of opening, too",
+            hint: "How many nodes does a ray open when it enters a cut cell, and how many of its children does it enter?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| 0.25 * (q.opening + sum(parts)) < n;
+                })
+            },
+        },
     ];
 }

@@ -63,8 +63,8 @@ impl Graded for BlinnPhongExercise {
             answer: |q| with_highlight(&q.at, power(mirrored(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {
-            name: "takes V·H for N·H",
-            hint: "V·H is the same on every surface, however it is turned: what is missing?",
+            name: "takes V·H, which is L·H, for N·H",
+            hint: "V·H and L·H are the same on every surface, however it is turned: what is missing?",
             answer: |q| with_highlight(&q.at, power(half(&q.at).dot(*q.at.view), &q.at)),
         },
         Mistake {

@@ -366,6 +366,11 @@ impl Graded for Fresnel {
                 mean(r, r)
             },
         },
+        Mistake {
+            name: "squares the mean of the sizes of both amplitudes for R",
+            hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
+            answer: |q| by_amplitudes(q, |s, p| s.abs() + p.abs()),
+        },
     ];
 }
 

@@ -228,8 +228,14 @@ fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
             beside: Beside::Together,
             ..second.clone()
         };
-        let ways = ways(evidence, [number, number_of(examiner, &second.name)]).into_iter();
-        let ways = ways.filter_map(|way| suspect(words, false, Some(also.clone()), way));
+        let two = [number, number_of(examiner, &second.name)];
+        let ways = match two {
+            [Some(one), Some(other)] => ways(evidence, one, other),
+            _ => misread_ways(examiner, [told, second]),
+        };
+        let is_guess = two.contains(&None);
+        let ways = ways.into_iter();
+        let ways = ways.filter_map(|way| suspect(words, is_guess, Some(also.clone()), way));
         all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
     } else if let Some(number) = number {
         let also = second(Beside::Instead).cloned();
@@ -255,11 +261,11 @@ fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
 
 /// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle. Of lists
 /// that chance makes, two of which one undoes half of the other give the same as a third.
-fn ways<'a>(evidence: &Evidence<'a>, two: [Option<usize>; 2]) -> Vec<Answer<'a>> {
+fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
     let examiner = evidence.examiner;
-    let [Some(one), Some(other)] = two.map(|number| number.filter(|_| evidence.is_judged())) else {
+    if !evidence.is_judged() {
         return Vec::new();
-    };
+    }
     let upon = |first, second| -> Answer<'a> {
         Box::new(move |question| {
             let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
@@ -278,16 +284,39 @@ fn ways<'a>(evidence: &Evidence<'a>, two: [Option<usize>; 2]) -> Vec<Answer<'a>>
     ways
 }
 
+/// What one answers who misreads the question and makes one of the exercise's own mistakes with it, or misreads it twice.
+fn misread_ways<'a>(examiner: &'a dyn Examiner, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
+    let asked = examiner.asked();
+    let way = |[first, then]: [&Diagnosis; 2]| -> Option<Answer<'a>> {
+        let reading = reading_of(examiner, first)?;
+        let read = move |question: &[f64]| reading.read_or_not(asked.question, question);
+        if let Some(number) = number_of(examiner, &then.name) {
+            return Some(Box::new(move |question| {
+                attempt(|| examiner.mistake_answers(number, &read(question)))?
+            }));
+        }
+        let again = self::read(asked, reading_of(examiner, then)?);
+        Some(Box::new(move |question| again(&read(question))))
+    };
+    let [one, other] = two;
+    let ways = [[one, other], [other, one]].into_iter();
+    ways.filter_map(way).collect()
+}
+
 /// What one answers who misreads the question, or goes wrong at a step, as is told.
 fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
-    let asked = evidence.examiner.asked();
-    let mut readings = misreadings(asked.question, evidence.examiner.limits()).into_iter();
-    if let Some(reading) = readings.find(|reading| reading.name == told.name) {
-        return Some(read(asked, reading));
+    if let Some(reading) = reading_of(evidence.examiner, told) {
+        return Some(read(evidence.examiner.asked(), reading));
     }
     let mut slips = slipped(evidence).into_iter();
     let slip = slips.find(|slip| slip.name == told.name && !slip.is_doubtful())?;
     Some(Box::new(move |question| slip.answer(question)))
+}
+
+/// The way to misread the question that is told.
+fn reading_of(examiner: &dyn Examiner, told: &Diagnosis) -> Option<Misreading> {
+    let readings = misreadings(examiner.asked().question, examiner.limits());
+    readings.into_iter().find(|one| one.name == told.name)
 }
 
 /// The right answers to questions that are misread.

@@ -8,7 +8,7 @@ use super::misread::{Misreading, misreadings};
 use super::pairs::{TOGETHER, of_two};
 use super::search::called;
 use super::slips::slipped;
-use super::{Beside, Diagnosis, diagnose};
+use super::{Beside, Diagnosis, spread};
 use crate::attempt::attempt;
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::stable::is_stable;
@@ -125,7 +125,10 @@ impl<'a> Trial<'a> {
     /// behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         if self.suspects.is_empty() {
-            let found = diagnose(self.examiner, cases, answers)?;
+            let asked = self.examiner.asked();
+            let readings = misreadings(asked.question, self.examiner.limits());
+            let found = spread::search(&Evidence::new(self.examiner, cases, answers), &readings);
+            let found = found.map(|likely| likely.diagnosis)?;
             let is_sure = found.certain && found.name == self.told.name;
             let further = found.explained.checked_sub(self.told.explained)?;
             return is_sure.then(|| Diagnosis {
@@ -357,15 +360,16 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
             continue;
         };
         let shows = !examiner.is_right(&question, &answer);
+        let most = if shows { SHOWN } else { HIDDEN };
+        let asked = if shows { shown } else { hidden };
+        if asked == most {
+            continue;
+        }
         let differs = |other: &Suspect<'_>| (other.answer)(&question).as_ref() != Some(&answer);
-        let differ: Vec<_> = others.iter().map(differs).collect();
+        let differ: Vec<_> = others.iter().map(|other| shows && differs(other)).collect();
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
-        let is_wanted = match (shows, tells) {
-            (true, true) => shown < SHOWN,
-            (true, false) => shown < least,
-            (false, _) => hidden < HIDDEN,
-        };
+        let is_wanted = !shows || tells || shown < least;
         if !is_wanted || !is_stable(examiner, &question, rng) {
             continue;
         }

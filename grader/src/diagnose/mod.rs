@@ -165,7 +165,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         return Some(found.told(evidence));
     }
     // A mistake whose answers have the same traits says more than what can be seen in any answer, and that more than a guess.
-    let likely = spread::search(evidence, &readings);
+    let likely = spread::search(evidence, Some(&readings));
     let seen = flaws::search(evidence);
     let slip = slip_of_structure(evidence);
     if let Some(found) = likely.as_ref().filter(|one| one.diagnosis.certain) {

@@ -151,9 +151,10 @@ pub struct Likely {
 }
 
 /// All mistakes whose answers have about the traits of the student's: single ones, and two at once where no single one comes near.
+/// Without ways to misread a question, the exercise's own single mistakes only.
 fn considered(
     evidence: &Evidence<'_>,
-    readings: &[Misreading],
+    readings: Option<&[Misreading]>,
     traits: &Traits<'_, '_>,
     whole: &Distance,
 ) -> Vec<Considered> {
@@ -175,6 +176,9 @@ fn considered(
         let answer = |k| evidence.mistaken(i, k);
         found.extend(consider(0, name, hint, &answer));
     }
+    let Some(readings) = readings else {
+        return found;
+    };
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
     made.extend(fit::functions(evidence, &right));
@@ -210,7 +214,8 @@ fn considered(
 }
 
 /// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
-pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Likely> {
+/// Without ways to misread a question, only the exercise's own are considered, one at a time.
+pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Option<Likely> {
     let examiner = evidence.examiner;
     let traits = Traits::of(evidence)?;
     let right = golden(evidence);

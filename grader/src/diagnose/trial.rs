@@ -125,10 +125,8 @@ impl<'a> Trial<'a> {
     /// behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         if self.suspects.is_empty() {
-            let asked = self.examiner.asked();
-            let readings = misreadings(asked.question, self.examiner.limits());
-            let found = spread::search(&Evidence::new(self.examiner, cases, answers), &readings);
-            let found = found.map(|likely| likely.diagnosis)?;
+            let evidence = Evidence::new(self.examiner, cases, answers);
+            let found = spread::search(&evidence, None)?.diagnosis;
             let is_sure = found.certain && found.name == self.told.name;
             let further = found.explained.checked_sub(self.told.explained)?;
             return is_sure.then(|| Diagnosis {

@@ -5,7 +5,7 @@
 //!     "exercise": "ray_at", "state": "right" | "wrong" | "not started" | "waits", "waits_for": null | "name",
 //!     "right": 40, "asked": 40, "picture": null | "file",
 //!     "pictures": [ { "name": "…", "alt": "…", "right": 3450, "of": 3452, "undecided": 4, "error": 0.01, "passed": true } ],
-//!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40,
+//!     "diagnosis": null | { "name": "…", "hint": "…", "explained": 37, "wrong": 40, "further": 16,
 //!         "certain": true, "part": null | "…", "also": [ …as this, and "beside": "apart" | "together" | "instead" | "shown" ] },
 //!     "smallest": null | { …a case, the wrong one that is told, with a simpler question… },
 //!     "cases": [ { "number": 1, "name": "…", "verdict": "right" | "wrong" | "not started", "why": null | "…",
@@ -13,7 +13,8 @@
 //! ```
 //!
 //! The state is right if all cases are right and all pictures are passed. `pictures` is empty where none is wanted and the pixels that
-//! are asked all the same are right.
+//! are asked all the same are right. `further` counts the further wrong answers that a mistake in doubt explains, which were asked for to
+//! be sure.
 //!
 //! Fields may be added within a version; none is removed or changes its meaning.
 
@@ -106,7 +107,7 @@ fn also(d: &Diagnosis) -> Value {
 /// A diagnosis.
 pub fn diagnosed(d: &Diagnosis) -> Value {
     json!({
-        "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong, "certain": d.certain, "part": d.part,
+        "name": d.name, "hint": d.hint, "explained": d.explained, "wrong": d.wrong, "further": d.further, "certain": d.certain, "part": d.part,
         "also": d.also.iter().map(also).collect::<Vec<_>>(),
     })
 }

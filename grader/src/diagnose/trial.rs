@@ -166,17 +166,25 @@ impl<'a> Trial<'a> {
             other.is_two() && other.score.explained > first.score.explained + BY_CHANCE
         };
         let is_the_one = others.iter().all(|one| is_same(one) && !explains_more(one));
-        let as_told = Diagnosis {
+        let one = Diagnosis {
             name: first.name.clone(),
             hint: first.hint.clone(),
             explained: first.score.explained,
             further: evidence.wrong,
+            beside: Beside::Apart,
             ..self.told.clone()
         };
-        is_the_one.then(|| self.convicted(&as_told, first.also.as_ref()))
+        // What was told instead of it may be acquitted.
+        let is_left = |name: &str| left.iter().any(|suspect| suspect.name == name);
+        let is_acquitted = |also: &&Diagnosis| {
+            let is_suspect = number_of(self.examiner, &also.name).is_some();
+            also.beside == Beside::Instead && is_suspect && !is_left(&also.name)
+        };
+        let also = first.also.as_ref().filter(|also| !is_acquitted(also));
+        is_the_one.then(|| self.convicted(&one, also))
     }
 
-    /// What is told of a mistake for certain, and of another one with it, beside what there is to see of it.
+    /// What is told of a mistake for certain, and of another one with it, beside what there is to see of it, and what is told of other answers.
     fn convicted(&self, one: &Diagnosis, also: Option<&Diagnosis>) -> Diagnosis {
         let sure = |told: &Diagnosis| Diagnosis {
             certain: true,
@@ -184,10 +192,16 @@ impl<'a> Trial<'a> {
             also: Vec::new(),
             ..told.clone()
         };
-        let all = self.told.also.iter();
-        let shown = all.filter(|also| also.beside == Beside::Shown).cloned();
+        let is_kept = |told: &&Diagnosis| match told.beside {
+            Beside::Shown => true,
+            Beside::Apart => {
+                one.name == self.told.name && also.is_none_or(|also| also.name != told.name)
+            }
+            Beside::Together | Beside::Instead => false,
+        };
+        let kept = self.told.also.iter().filter(is_kept).cloned();
         Diagnosis {
-            also: also.map(sure).into_iter().chain(shown).collect(),
+            also: also.map(sure).into_iter().chain(kept).collect(),
             ..sure(one)
         }
     }
@@ -358,9 +372,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
             continue;
         };
         let shows = !examiner.is_right(&question, &answer);
-        let most = if shows { SHOWN } else { HIDDEN };
-        let asked = if shows { shown } else { hidden };
-        if asked == most {
+        if shows && shown == SHOWN || !shows && hidden == HIDDEN {
             continue;
         }
         let differs = |other: &Suspect<'_>| (other.answer)(&question).as_ref() != Some(&answer);

@@ -121,8 +121,8 @@ impl<'a> Trial<'a> {
         }
     }
 
-    /// What is told after it: for certain, if all is as one suspect says; else none. `cases` and `answers` are those of before, and
-    /// behind them the further ones.
+    /// What is told after it: for certain, if all is as one suspect says, and no right answer denied it before; else none. `cases` and
+    /// `answers` are those of before, and behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         if self.suspects.is_empty() {
             let evidence = Evidence::new(self.examiner, cases, answers);
@@ -148,7 +148,8 @@ impl<'a> Trial<'a> {
             score.is_some_and(|score| {
                 let is_sharp = score.sharp == score.explained && differ.len() >= VARIED;
                 let is_told = !suspect.is_guess || is_sharp;
-                score.missed + score.contradicted == 0 && !score.is_doubtful && is_told
+                let denied = suspect.score.contradicted + score.contradicted;
+                score.missed + denied == 0 && !score.is_doubtful && is_told
             })
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();

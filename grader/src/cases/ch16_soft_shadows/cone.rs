@@ -12,11 +12,12 @@ use std::f32::consts::{PI, TAU};
 /// 1 − cos α of the cone in which the light is seen.
 pub(super) fn cap(q: &SampleSphereLight) -> f32 {
     let squared = (q.radius / q.at.distance(q.center)).powi(2);
-    if squared < 1.0 {
-        squared / (1.0 + (1.0 - squared).sqrt())
-    } else {
-        2.0
-    }
+    if squared < 1.0 { rise(squared) } else { 2.0 }
+}
+
+/// 1 − cos α of sin²α, 1 at most, without a difference of two numbers that are nearly the same.
+pub(super) fn rise(squared_sine: f32) -> f32 {
+    squared_sine / (1.0 + (1.0 - squared_sine).max(0.0).sqrt())
 }
 
 /// Directions around the light's by 1 − cos θ and φ, with a density, from u and 1 − cos α.

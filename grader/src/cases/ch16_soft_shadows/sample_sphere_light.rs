@@ -2,7 +2,7 @@
 
 use super::chosen::{self, DENSITY, FINE, MEAN, MEAN_ANGLE, N, each, evenly};
 use super::cone::{
-    angle, around, as_on_disc, cap, cone, dense, on_cap, on_disc, squeezed, wide, with_sine,
+    angle, around, as_on_disc, cap, cone, dense, on_cap, on_disc, rise, squeezed, wide, with_sine,
 };
 use super::flaws;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
@@ -148,8 +148,8 @@ impl Graded for SampleSphereLight {
             hint: "The wider a ring around the cone's axis, the more directions it holds: do your samples crowd in the middle?",
             answer: |q| {
                 cone(q, |u, cap| {
-                    let angle = (1.0 - cap).clamp(-1.0, 1.0).acos();
-                    (1.0 - (u.x * angle).cos(), TAU * u.y, 1.0 / (TAU * cap))
+                    let half = 0.5 * u.x * angle(cap);
+                    (2.0 * half.sin().powi(2), TAU * u.y, 1.0 / (TAU * cap))
                 })
             },
         },
@@ -269,7 +269,8 @@ impl Graded for SampleSphereLight {
             answer: |q| {
                 let far = q.at.distance(q.center);
                 if far > q.radius {
-                    wide(q, 1.0 - far / far.hypot(q.radius))
+                    let sine = q.radius / far.hypot(q.radius);
+                    wide(q, rise(sine * sine))
                 } else {
                     Self::right(q)
                 }
@@ -308,7 +309,7 @@ impl Graded for SampleSphereLight {
             answer: |q| {
                 let far = q.at.distance(q.center);
                 if far > q.radius {
-                    wide(q, 1.0 - (1.0 - q.radius / far).sqrt())
+                    wide(q, rise(q.radius / far))
                 } else {
                     Self::right(q)
                 }
@@ -387,7 +388,7 @@ impl Graded for SampleSphereLight {
             answer: |q| {
                 let squared = (2.0 * q.radius / q.at.distance(q.center)).powi(2);
                 if squared < 1.0 {
-                    wide(q, 1.0 - (1.0 - squared).sqrt())
+                    wide(q, rise(squared))
                 } else {
                     Self::right(q)
                 }
@@ -439,8 +440,7 @@ impl Graded for SampleSphereLight {
             answer: |q| {
                 let squared = (q.radius / q.at.distance(q.center)).powi(2);
                 if squared < 1.0 {
-                    let sine_squared = squared / (1.0 - squared);
-                    wide(q, 1.0 - (1.0 - sine_squared).max(0.0).sqrt())
+                    wide(q, rise((squared / (1.0 - squared)).min(1.0)))
                 } else {
                     Self::right(q)
                 }
@@ -531,11 +531,7 @@ impl Graded for SampleSphereLight {
                 cone(q, |u, cap| {
                     let squared = u.x * cap * (2.0 - cap);
                     // From inside, where the sine says nothing, cos θ is uniform.
-                    let height = if cap < 2.0 {
-                        squared / (1.0 + (1.0 - squared).sqrt())
-                    } else {
-                        u.x * cap
-                    };
+                    let height = if cap < 2.0 { rise(squared) } else { u.x * cap };
                     (height, TAU * u.y, 1.0 / (TAU * cap))
                 })
             },

@@ -150,8 +150,8 @@ impl Graded for CosineHemisphere {
         },
         Flaw {
             complaint: "the mean to",
-            name: "does not go evenly all the way round the normal",
-            hint: "Seen from above, are there as many directions to each side? From where to where does your angle go, and are your axes perpendicular to the normal?",
+            name: "leans to one side: seen from above, the directions do not balance around the normal",
+            hint: "Has one side more directions, or wider ones? From where to where does your angle go, does the height hang on it, and are your axes perpendicular to the normal?",
         },
         Flaw {
             complaint: "the mean of xy",

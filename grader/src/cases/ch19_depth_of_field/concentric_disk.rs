@@ -232,8 +232,8 @@ impl Graded for ConcentricDisk {
         },
         Flaw {
             complaint: "the mean of",
-            name: "does not go evenly all the way round",
-            hint: "From where to where does your angle go?",
+            name: "leans to one side: the points do not balance around the middle",
+            hint: "Has one side more points, or farther ones? From where to where does your angle go, and does the radius hang on it?",
         },
         Flaw {
             complaint: "all the way round",

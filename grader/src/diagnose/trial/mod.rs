@@ -3,19 +3,16 @@
 //! Two wrong answers of yes or no are those of many mistakes. Who suspects one of them asks where it shows: if each further answer is as it
 //! says, and not as any other suspect says, it is the one.
 
-use super::evidence::{Evidence, Score};
-use super::misread::{Misreading, misreadings};
-use super::pairs::{TOGETHER, of_two};
-use super::search::called;
-use super::slips::slipped;
+mod suspects;
+
+use super::evidence::Evidence;
 use super::{Beside, Diagnosis, spread};
-use crate::attempt::attempt;
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercise::Asked;
 use std::collections::BTreeSet;
+use suspects::{Suspect, number_of, suspects};
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -35,9 +32,6 @@ const DRAWN: usize = 2000;
 /// … and the fewest.
 const FEWEST: usize = 40;
 
-/// A suspect gives this many wrong answers for each that is not as it says.
-const NEARLY: usize = 5;
-
 /// Different answers that tell a guess from others.
 const VARIED: usize = 4;
 
@@ -46,29 +40,6 @@ const BY_CHANCE: usize = 1;
 
 /// Rounds of random cases that are asked where answers are compared by their traits.
 const ROUNDS: usize = 3;
-
-/// What is answered to a question by one who makes a mistake.
-type Answer<'a> = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a>;
-
-/// A mistake, or two at once, that may have made the wrong answers.
-struct Suspect<'a> {
-    name: String,
-    hint: String,
-    /// A second mistake that is made with it, or was told instead of it.
-    also: Option<Diagnosis>,
-    answer: Answer<'a>,
-    /// Whether it is none of the exercise's own: of guesses there are many.
-    is_guess: bool,
-    /// How it explains the answers that are known.
-    score: Score,
-}
-
-impl Suspect<'_> {
-    fn is_two(&self) -> bool {
-        let mut also = self.also.iter();
-        also.any(|also| also.beside == Beside::Together)
-    }
-}
 
 /// What is suspected, and what is asked to know.
 pub struct Trial<'a> {
@@ -206,138 +177,6 @@ impl<'a> Trial<'a> {
             ..sure(one)
         }
     }
-}
-
-/// The number of the own mistake that is called so.
-fn number_of(examiner: &dyn Examiner, name: &str) -> Option<usize> {
-    let mut all = examiner.mistakes().into_iter();
-    all.position(|(own, _)| own == name)
-}
-
-/// What may have made the answers: first what is told, then the own mistakes that give nearly all of them, and beside a guess the other
-/// ways to misread the question that do.
-fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
-    let examiner = evidence.examiner;
-    let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
-        let predict = |k: usize| answer(&evidence.items[k].question);
-        let score = evidence.score(0.5, predict)?;
-        let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
-        is_near.then(|| Suspect {
-            name: name.to_owned(),
-            hint: hint.to_owned(),
-            also,
-            answer,
-            is_guess,
-            score,
-        })
-    };
-    let own = |i: usize| -> Answer<'a> {
-        Box::new(move |question| attempt(|| examiner.mistake_answers(i, question))?)
-    };
-    let words = (&*told.name, &*told.hint);
-    let number = number_of(examiner, &told.name);
-    let second = |beside| told.also.iter().find(move |also| also.beside == beside);
-    let apart = second(Beside::Apart).filter(|also| number_of(examiner, &also.name).is_some());
-    let mut all: Vec<Suspect<'a>> = Vec::new();
-    if let Some(second) = second(Beside::Together).or(apart) {
-        let also = Diagnosis {
-            beside: Beside::Together,
-            ..second.clone()
-        };
-        let two = [number, number_of(examiner, &second.name)];
-        let ways = match two {
-            [Some(one), Some(other)] => ways(evidence, one, other),
-            _ => misread_ways(examiner, [told, second]),
-        };
-        let is_guess = two.contains(&None);
-        let ways = ways.into_iter();
-        let ways = ways.filter_map(|way| suspect(words, is_guess, Some(also.clone()), way));
-        all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
-    } else if let Some(number) = number {
-        let also = second(Beside::Instead).cloned();
-        all.extend(suspect(words, false, also, own(number)));
-    } else if let Some(answer) = guessed(evidence, told) {
-        let also = second(Beside::Instead).cloned();
-        all.extend(suspect(words, true, also, answer));
-        let asked = examiner.asked();
-        for reading in misreadings(asked.question, examiner.limits()) {
-            let (name, hint) = (reading.name.clone(), reading.hint.clone());
-            let is_told = |one: &Diagnosis| one.name == name;
-            if !is_told(told) && !told.also.iter().any(is_told) {
-                all.extend(suspect((&name, &hint), true, None, read(asked, reading)));
-            }
-        }
-    }
-    let is_there = all.iter().any(|one| !one.is_two());
-    let others = examiner.mistakes().into_iter().enumerate();
-    let others = others.filter(|(_, (name, _))| !is_there || *name != told.name);
-    all.extend(others.filter_map(|(i, words)| suspect(words, false, None, own(i))));
-    all
-}
-
-/// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle. Of lists
-/// that chance makes, two of which one undoes half of the other give the same as a third.
-fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
-    let examiner = evidence.examiner;
-    if !evidence.is_judged() {
-        return Vec::new();
-    }
-    let upon = |first, second| -> Answer<'a> {
-        Box::new(move |question| {
-            let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
-            answer.map(|(answer, _)| answer)
-        })
-    };
-    let beside = |together| -> Answer<'a> {
-        Box::new(move |question| {
-            let right = called(examiner.asked(), question)?;
-            let alone = |i| attempt(|| examiner.mistake_answers(i, question))?;
-            of_two(&right, &alone(one)?, &alone(other)?, together)
-        })
-    };
-    let mut ways = vec![upon(one, other), upon(other, one)];
-    ways.extend(TOGETHER.map(beside));
-    ways
-}
-
-/// What one answers who misreads the question and makes one of the exercise's own mistakes with it, or misreads it twice.
-fn misread_ways<'a>(examiner: &'a dyn Examiner, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
-    let asked = examiner.asked();
-    let way = |[first, then]: [&Diagnosis; 2]| -> Option<Answer<'a>> {
-        let reading = reading_of(examiner, first)?;
-        let read = move |question: &[f64]| reading.read_or_not(asked.question, question);
-        if let Some(number) = number_of(examiner, &then.name) {
-            return Some(Box::new(move |question| {
-                attempt(|| examiner.mistake_answers(number, &read(question)))?
-            }));
-        }
-        let again = self::read(asked, reading_of(examiner, then)?);
-        Some(Box::new(move |question| again(&read(question))))
-    };
-    let [one, other] = two;
-    let ways = [[one, other], [other, one]].into_iter();
-    ways.filter_map(way).collect()
-}
-
-/// What one answers who misreads the question, or goes wrong at a step, as is told.
-fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
-    if let Some(reading) = reading_of(evidence.examiner, told) {
-        return Some(read(evidence.examiner.asked(), reading));
-    }
-    let mut slips = slipped(evidence).into_iter();
-    let slip = slips.find(|slip| slip.name == told.name && !slip.is_doubtful())?;
-    Some(Box::new(move |question| slip.answer(question)))
-}
-
-/// The way to misread the question that is told.
-fn reading_of(examiner: &dyn Examiner, told: &Diagnosis) -> Option<Misreading> {
-    let readings = misreadings(examiner.asked().question, examiner.limits());
-    readings.into_iter().find(|one| one.name == told.name)
-}
-
-/// The right answers to questions that are misread.
-fn read<'a>(asked: &'static Asked, reading: Misreading) -> Answer<'a> {
-    Box::new(move |question| called(asked, &reading.read_or_not(asked.question, question)))
 }
 
 /// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,

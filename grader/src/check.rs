@@ -148,8 +148,7 @@ impl Report {
     /// The number of the exercise's own mistake that is told of some of the wrong answers, and not of all of them.
     pub fn mistake_of_some(&self, examiner: &dyn Examiner) -> Option<usize> {
         let found = self.diagnosis.as_ref()?;
-        let mut mistakes = examiner.mistakes().into_iter();
-        let number = mistakes.position(|(name, _)| name == found.name)?;
+        let number = examiner.mistake_called(&found.name)?;
         (found.explained < found.wrong).then_some(number)
     }
 
@@ -326,20 +325,24 @@ pub(crate) fn diagnose_outcomes(
     examiner: &dyn Examiner,
     outcomes: &[Outcome],
 ) -> Option<Diagnosis> {
-    let cases: Vec<_> = outcomes
-        .iter()
-        .map(|outcome| outcome.case.clone())
-        .collect();
-    let answer = |outcome: &Outcome| match &outcome.reply.said {
-        Said::Answer(answer) => Some(answer.unescaped().to_owned()),
-        _ => None,
-    };
-    let answers: Vec<_> = outcomes
-        .iter()
-        .map(|outcome| (answer(outcome), outcome.verdict == Mark::Right))
-        .collect();
+    let (cases, answers) = answered(outcomes);
     let wrong = answers.iter().filter(|(_, right)| !right).count();
     with_panics(diagnose(examiner, &cases, &answers), outcomes, wrong)
+}
+
+/// The cases, and the answer to each, if there is one, with whether it is right.
+pub(crate) fn answered(outcomes: &[Outcome]) -> (Vec<Case>, Vec<(Option<String>, bool)>) {
+    let answered = |outcome: &Outcome| {
+        let answer = match &outcome.reply.said {
+            Said::Answer(answer) => Some(answer.unescaped().to_owned()),
+            _ => None,
+        };
+        (
+            outcome.case.clone(),
+            (answer, outcome.verdict == Mark::Right),
+        )
+    };
+    outcomes.iter().map(answered).unzip()
 }
 
 /// A function that answers some cases and says `todo` to others is begun: these are wrong like others.

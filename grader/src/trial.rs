@@ -1,7 +1,7 @@
 //! Further questions to a program whose mistake is in doubt.
 
 use crate::ask::{Asker, Said};
-use crate::check::{Mark, Report, judge};
+use crate::check::{Outcome, Report, answered, judge};
 use crate::diagnose::trial::Trial;
 use crate::examine::Examiner;
 use std::io;
@@ -22,16 +22,7 @@ pub fn ask_trial(
     let Some(told) = report.diagnosis.clone() else {
         return Ok(());
     };
-    let answer = |said: &Said| match said {
-        Said::Answer(answer) => Some(answer.unescaped().to_owned()),
-        _ => None,
-    };
-    let all = report.cases.iter();
-    let mut cases: Vec<_> = all.map(|outcome| outcome.case.clone()).collect();
-    let all = report.cases.iter();
-    let mut answers: Vec<_> = all
-        .map(|outcome| (answer(&outcome.reply.said), outcome.verdict == Mark::Right))
-        .collect();
+    let (mut cases, mut answers) = answered(&report.cases);
     let Some(trial) = Trial::new(examiner, &cases, &answers, &told) else {
         return Ok(());
     };
@@ -42,14 +33,23 @@ pub fn ask_trial(
         .map(|case| question(&case.question))
         .collect();
     let replies = asker.ask(&lines)?;
-    for (case, reply) in trial.cases.iter().zip(replies) {
-        if !matches!(reply.said, Said::Answer(_) | Said::Panicked(_)) {
-            return Ok(());
-        }
-        let is_right = judge(examiner, case, &reply.said) == Mark::Right;
-        answers.push((answer(&reply.said), is_right));
-        cases.push(case.clone());
+    let further = trial
+        .cases
+        .iter()
+        .zip(replies)
+        .map(|(case, reply)| Outcome {
+            case: case.clone(),
+            verdict: judge(examiner, case, &reply.said),
+            reply,
+        });
+    let further: Vec<_> = further.collect();
+    let came = |one: &Outcome| matches!(one.reply.said, Said::Answer(_) | Said::Panicked(_));
+    if !further.iter().all(came) {
+        return Ok(());
     }
+    let (further, more) = answered(&further);
+    cases.extend(further);
+    answers.extend(more);
     if let Some(sure) = trial.verdict(&cases, &answers) {
         report.diagnosis = Some(sure);
     }

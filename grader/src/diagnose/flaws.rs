@@ -114,8 +114,7 @@ fn told(
     complaints: &[(usize, String)],
     wrong: usize,
 ) -> Diagnosis {
-    let mistakes = examiner.mistakes();
-    let is_mistake = mistakes.iter().any(|(name, _)| *name == flaw.name);
+    let is_mistake = examiner.mistake_called(flaw.name).is_some();
     let of_it = complaints
         .iter()
         .filter(|(_, why)| why.contains(flaw.complaint));

@@ -227,10 +227,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     let near = |one: &&Considered| one.rest <= 1.3 * nearest + 0.5 * errors + 1e-6;
     let mut near: Vec<_> = found.iter().filter(near).collect();
     near.sort_by(|a, b| a.rank.cmp(&b.rank).then(a.rest.total_cmp(&b.rest)));
-    let own = |name: &str| {
-        let mut own = examiner.mistakes().into_iter();
-        own.position(|(own, _)| own == name)
-    };
+    let own = |name: &str| examiner.mistake_called(name);
     near.retain(|one| {
         let contradicted = |number| is_contradicted(evidence, number) || !shows(evidence, number);
         one.then.is_some() || !own(&one.name).is_some_and(contradicted)

@@ -109,6 +109,12 @@ impl dyn Examiner + '_ {
         (0..).map_while(|i| self.mistake(i)).collect()
     }
 
+    /// The number of the mistake that is called so.
+    pub fn mistake_called(&self, name: &str) -> Option<usize> {
+        let mut all = self.mistakes().into_iter();
+        all.position(|(own, _)| own == name)
+    }
+
     /// What mistake number i answers; `None` if the question cannot be read.
     pub fn mistaken(&self, i: usize, question: &str) -> Option<String> {
         let question = self.asked().read_question(question).ok()?;

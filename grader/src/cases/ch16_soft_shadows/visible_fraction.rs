@@ -669,8 +669,8 @@ impl Graded for VisibleFraction {
     ];
 }
 
-/// The least n such that all `fractions` are k/n with a whole k, if n is so far below `samples` that chance does not explain it: a
-/// fraction between 0 and 1 is such a quotient by chance with the probability n/`samples`.
+/// The least denominator that makes whole numerators of all `fractions`, if it is so far below `samples` that chance does not explain it: by
+/// chance, a fraction between 0 and 1 has one with the probability of the denominator over `samples`.
 fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
     /// By chance, all are whole parts of one of these numbers with a probability below this.
     const CHANCE: f32 = 1e-4;

@@ -12,7 +12,7 @@ use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use std::collections::BTreeSet;
-use suspects::{Suspect, number_of, suspects};
+use suspects::{Suspect, suspects};
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -59,7 +59,7 @@ impl<'a> Trial<'a> {
         answers: &[(Option<String>, bool)],
         told: &'a Diagnosis,
     ) -> Option<Self> {
-        let is_guess = number_of(examiner, &told.name).is_none();
+        let is_guess = examiner.mistake_called(&told.name).is_none();
         if told.part.is_some() || told.certain && (!is_guess || told.beside == Beside::Shown) {
             return None;
         }
@@ -83,7 +83,7 @@ impl<'a> Trial<'a> {
             }
             _ if evidence.is_judged() => None,
             _ => {
-                number_of(examiner, &told.name)?;
+                examiner.mistake_called(&told.name)?;
                 let random = (0..ROUNDS).map(|_| examiner.try_random_cases(rng));
                 let random = random.collect::<Result<Vec<_>, _>>().ok()?;
                 let cases = random.into_iter().flat_map(|one| one.cases).collect();
@@ -149,7 +149,7 @@ impl<'a> Trial<'a> {
         // What was told instead of it may be acquitted.
         let is_left = |name: &str| left.iter().any(|suspect| suspect.name == name);
         let is_acquitted = |also: &&Diagnosis| {
-            let is_suspect = number_of(self.examiner, &also.name).is_some();
+            let is_suspect = self.examiner.mistake_called(&also.name).is_some();
             also.beside == Beside::Instead && is_suspect && !is_left(&also.name)
         };
         let also = first.also.as_ref().filter(|also| !is_acquitted(also));

@@ -13,6 +13,9 @@ use raybook_workbook::exercise::Asked;
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
 
+/// The share of the wrong answers that is asked of a suspect first.
+const HALF: f64 = 0.5;
+
 /// What is answered to a question by one who makes a mistake.
 type Answer<'a> = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a>;
 
@@ -37,19 +40,13 @@ impl Suspect<'_> {
     }
 }
 
-/// The number of the own mistake that is called so.
-pub fn number_of(examiner: &dyn Examiner, name: &str) -> Option<usize> {
-    let mut all = examiner.mistakes().into_iter();
-    all.position(|(own, _)| own == name)
-}
-
 /// What may have made the answers: first what is told, then the own mistakes that give nearly all of them, and beside a guess the other
 /// ways to misread the question that do.
 pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
     let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
         let predict = |k: usize| answer(&evidence.items[k].question);
-        let score = evidence.score(0.5, predict)?;
+        let score = evidence.score(HALF, predict)?;
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
         is_near.then(|| Suspect {
             name: name.to_owned(),
@@ -64,16 +61,16 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         Box::new(move |question| attempt(|| examiner.mistake_answers(i, question))?)
     };
     let words = (&*told.name, &*told.hint);
-    let number = number_of(examiner, &told.name);
+    let number = examiner.mistake_called(&told.name);
     let second = |beside| told.also.iter().find(move |also| also.beside == beside);
-    let apart = second(Beside::Apart).filter(|also| number_of(examiner, &also.name).is_some());
+    let apart = second(Beside::Apart).filter(|also| examiner.mistake_called(&also.name).is_some());
     let mut all: Vec<Suspect<'a>> = Vec::new();
     if let Some(second) = second(Beside::Together).or(apart) {
         let also = Diagnosis {
             beside: Beside::Together,
             ..second.clone()
         };
-        let two = [number, number_of(examiner, &second.name)];
+        let two = [number, examiner.mistake_called(&second.name)];
         let ways = match two {
             [Some(one), Some(other)] => ways(evidence, one, other),
             _ => misread_ways(examiner, [told, second]),
@@ -135,7 +132,7 @@ fn misread_ways<'a>(examiner: &'a dyn Examiner, two: [&Diagnosis; 2]) -> Vec<Ans
     let way = |[first, then]: [&Diagnosis; 2]| -> Option<Answer<'a>> {
         let reading = reading_of(examiner, first)?;
         let read = move |question: &[f64]| reading.read_or_not(asked.question, question);
-        if let Some(number) = number_of(examiner, &then.name) {
+        if let Some(number) = examiner.mistake_called(&then.name) {
             return Some(Box::new(move |question| {
                 attempt(|| examiner.mistake_answers(number, &read(question)))?
             }));

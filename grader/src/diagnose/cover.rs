@@ -117,7 +117,8 @@ pub fn search(evidence: &Evidence<'_>, readings: &[Misreading]) -> Option<Cover>
         let best = fitting.min_by_key(|(_, one)| {
             let left_out = evidence.wrong - new(one);
             let loss = left_out + one.score.contradicted;
-            (loss, one.score.contradicted, one.rank)
+            let denied = chosen.iter().filter(|before| !one.is_beside(before));
+            (loss, one.score.contradicted, one.rank, denied.count())
         });
         let Some((best, _)) = best else { break };
         let one = ones.swap_remove(best);

@@ -224,6 +224,14 @@ impl Graded for PlaneHit {
             hint: "A slanted ray goes further than along the normal: which of the two lengths do min and max belong to?",
             answer: |q| by_height(q, |height| height).filter(|t| *t > 0.0),
         },
+        Mistake {
+            name: "takes the way along the ray to the point offset · n for the distance",
+            hint: "The point of the plane that is nearest to the world's origin: is it also the one that the ray meets?",
+            answer: |q| {
+                let t = (q.offset * *q.normal - q.ray.origin).dot(*q.ray.direction);
+                (q.normal.dot(*q.ray.direction) != 0.0 && q.within.contains(t)).then_some(t)
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

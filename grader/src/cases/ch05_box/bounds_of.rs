@@ -353,6 +353,16 @@ impl Graded for BoundsOf {
                 }
             },
         },
+        Mistake {
+            name: "starts with the origin inside, unless there are no points",
+            hint: "Bound points that are all far from the world's origin: is the origin in your box?",
+            answer: |q| {
+                if q.points.is_empty() {
+                    return BoundsOf::right(q);
+                }
+                bounds(q.points.iter().copied().chain([Vec3::ZERO]))
+            },
+        },
     ];
 }
 

@@ -155,5 +155,21 @@ impl Graded for TriangleNormal {
             hint: "In which plane does the sum of two edges lie?",
             answer: |q| Dir3::new((q.p1 - q.p0) + (q.p2 - q.p0)).map(|n| *n),
         },
+        Mistake {
+            name: "normalises the edges at the second corner, and not their cross product",
+            hint: "How long is the cross product of two unit vectors that are not perpendicular?",
+            answer: |q| {
+                let [e1, e2] = [q.p2 - q.p1, q.p0 - q.p1].map(Vec3::normalize_or_zero);
+                TriangleNormal::right(q).map(|_| e1.cross(e2))
+            },
+        },
+        Mistake {
+            name: "normalises the edges at the third corner, and not their cross product",
+            hint: "How long is the cross product of two unit vectors that are not perpendicular?",
+            answer: |q| {
+                let [e1, e2] = [q.p0 - q.p2, q.p1 - q.p2].map(Vec3::normalize_or_zero);
+                TriangleNormal::right(q).map(|_| e1.cross(e2))
+            },
+        },
     ];
 }

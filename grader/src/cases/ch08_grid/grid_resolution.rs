@@ -381,7 +381,7 @@ fn whole(along: Vec3) -> Cell {
 }
 
 /// By less than this share, numbers of cells differ in their last digits only, which decide nothing.
-const LAST_DIGITS: f32 = 1e-5;
+const LAST_DIGITS: f32 = 1e-6;
 
 /// The same with another rounding.
 fn rounded(along: Vec3, round: Round) -> Cell {

@@ -194,15 +194,8 @@ impl Graded for GridWalk {
             name: "says where the ray enters a cell, not where it leaves",
             hint: "The search may stop when the best hit lies before which end of the cell?",
             answer: |q| {
-                let visits = GridWalk::right(q);
-                let enters: Vec<_> = std::iter::once(start(q))
-                    .chain(visits.iter().map(|v| v.leave))
-                    .collect();
-                visits
-                    .into_iter()
-                    .zip(enters)
-                    .map(|(v, leave)| Visit { leave, ..v })
-                    .collect()
+                let visits = entered(q).into_iter();
+                visits.map(|(v, leave)| Visit { leave, ..v }).collect()
             },
         },
         Mistake {
@@ -512,6 +505,24 @@ impl Graded for GridWalk {
             hint: "A ray that goes left enters cell 3 before cell 2: in which order does your loop find them?",
             answer: |q| numbered(q, |visit| [visit.z, visit.y, visit.x]),
         },
+        Mistake {
+            name: "takes the lattice to begin at the origin where the number of any cell is calculated",
+            hint: "The lattice begins at x = 2, and its cells are 1 m wide: in which one is the ray at x = 3.5?",
+            answer: |q| {
+                let last = UVec3::new(q.nx, q.ny, q.nz).as_vec3() - 1.0;
+                let of = |(visit, enter): (Visit, f32)| {
+                    let middle = q.ray.at(0.5 * (enter + visit.leave));
+                    let cell = (middle / q.cell).floor().clamp(Vec3::ZERO, last).as_uvec3();
+                    Visit {
+                        x: cell.x,
+                        y: cell.y,
+                        z: cell.z,
+                        ..visit
+                    }
+                };
+                entered(q).into_iter().map(of).collect()
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {
@@ -631,4 +642,12 @@ fn passed(q: &GridWalk, visits: &[Visit]) -> Vec<Visit> {
 /// Where the ray enters the lattice, or the interval begins.
 fn start(q: &GridWalk) -> f32 {
     slab::clip(&q.lattice().bounds(), &q.ray, q.within).map_or(q.within.min, |inside| inside.min)
+}
+
+/// The right visits, each with the distance at which the ray enters the cell.
+fn entered(q: &GridWalk) -> Vec<(Visit, f32)> {
+    let visits = GridWalk::right(q);
+    let leaves = visits.iter().map(|visit| visit.leave);
+    let enters: Vec<_> = std::iter::once(start(q)).chain(leaves).collect();
+    visits.into_iter().zip(enters).collect()
 }

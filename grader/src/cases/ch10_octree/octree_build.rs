@@ -658,5 +658,17 @@ impl Graded for OctreeBuild {
                 })
             },
         },
+        Mistake {
+            name: "expects a ray to meet one child only, with the mean of the shapes of those that hold any",
+            hint: "How many children does a ray pass through on its way across the cell, and does it know which of them are empty?",
+            answer: |q| {
+                by(q, |rule| {
+                    rule.pays = |q, n, parts| {
+                        let full = parts.iter().filter(|part| !part.is_empty()).count();
+                        q.opening + sum(parts) / (full.max(1) as f32) < n
+                    }
+                })
+            },
+        },
     ];
 }

@@ -131,11 +131,7 @@ impl Graded for OctreeWalk {
         Mistake {
             name: "visits the children in the order of their numbers",
             hint: "A ray that runs towards −x meets the upper half first.",
-            answer: |q| {
-                let mut leaves = OctreeWalk::right(q);
-                leaves.sort_unstable();
-                leaves
-            },
+            answer: |q| in_turn(q, 0),
         },
         Mistake {
             name: "visits every leaf",
@@ -486,6 +482,15 @@ impl Graded for OctreeWalk {
                 let far = |leaf: u32| way(leaf).dot(*q.ray.direction);
                 let mut leaves = Self::right(q);
                 leaves.sort_by(|a, b| far(*a).total_cmp(&far(*b)));
+                leaves
+            },
+        },
+        Mistake {
+            name: "returns the leaves in the order of their numbers",
+            hint: "A leaf with a small number may lie behind one with a large number: in which order does the ray meet them?",
+            answer: |q| {
+                let mut leaves = OctreeWalk::right(q);
+                leaves.sort_unstable();
                 leaves
             },
         },

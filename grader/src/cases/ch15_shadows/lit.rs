@@ -432,6 +432,17 @@ impl Graded for Lit {
             hint: "A second sphere behind the first: does the light come back?",
             answer: |q| 1 - (hiding(q) % 2) as u32,
         },
+        Mistake {
+            name: "takes the square of each sphere's radius for its radius",
+            hint: "You compare a length with a number: is that number a radius, or its square?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.spheres
+                        .iter_mut()
+                        .for_each(|ball| ball.radius *= ball.radius);
+                })
+            },
+        },
     ];
 }
 

@@ -279,5 +279,10 @@ impl Graded for BrdfPhong {
                 q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
             },
         },
+        Mistake {
+            name: "takes n + 2/2π for (n + 2)/2π: forgets the brackets",
+            hint: "Calculate the factor for n = 1 by hand: what does your language divide by 2π?",
+            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, q.exponent + 1.0 / PI),
+        },
     ];
 }

@@ -271,6 +271,16 @@ impl Graded for ThinLensRay {
             hint: "`on_lens` is in the unit disc already: where do your rays start for (0, 0), and for (1, 0)?",
             answer: |q| Self::misread(q, |q| q.on_lens = concentric_disk(q.on_lens)),
         },
+        Mistake {
+            name: "squeezes the lens along the camera's up axis, as the film is",
+            hint: "The film is wider than high: is the aperture, too?",
+            answer: |q| Self::misread(q, |q| q.on_lens *= vec2(1.0, q.plane.y / q.plane.x)),
+        },
+        Mistake {
+            name: "stretches the lens along the camera's right axis, as the film is",
+            hint: "The film is wider than high: is the aperture, too?",
+            answer: |q| Self::misread(q, |q| q.on_lens *= vec2(q.plane.x / q.plane.y, 1.0)),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

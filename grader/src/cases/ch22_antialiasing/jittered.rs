@@ -378,5 +378,10 @@ impl Graded for Jittered {
             hint: "How wide is a cell, and how high? By how much of that may its point move along each axis?",
             answer: |q| cells(q, |cell, count, u| cell / count + u / count.yx()),
         },
+        Mistake {
+            name: "chooses places in the lower left quarter of each cell only",
+            hint: "Can your point be anywhere in its cell? By how much do your two numbers move it at most?",
+            answer: |q| cells(q, |cell, count, u| (cell + 0.5 * u) / count),
+        },
     ];
 }

@@ -189,7 +189,7 @@ impl Graded for RandomPattern {
             answer: |q| each(q, |u| 2.0 * u - 1.0),
         },
         Mistake {
-            name: "crowds in the middle",
+            name: "takes the mean of two random numbers for each coordinate, which crowds in the middle",
             hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle ninth of the square?",
             answer: |q| {
                 let rng = &mut pcg::stream(22, q.seed.into());

@@ -124,7 +124,7 @@ impl Graded for RotatedGrid {
         },
         Flaw {
             complaint: "steps, and should be",
-            name: "has the right lattice in the wrong place: shifts it before or after the rotation, or rotates about another point",
+            name: "puts the lattice in the wrong place",
             hint: "Which point of the square stays where it is when you rotate, and is the offset added to i and j, or to the place?",
         },
         Flaw {
@@ -347,6 +347,16 @@ impl Graded for RotatedGrid {
             name: "takes degrees for radians (in a lattice turned clockwise)",
             hint: "In which unit does your language's cosine want its angle?",
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(-26.565).rotate(p))),
+        },
+        Mistake {
+            name: "rotates by (1, ½) without dividing by the length of that",
+            hint: "How long is the vector (1, ½)? Are your points as far apart as asked?",
+            answer: |q| inside(lattice(q, |p| turned(p, 1.0) * 1.25_f32.sqrt())),
+        },
+        Mistake {
+            name: "rotates by (1, ½) without dividing by the length of that (in a lattice turned clockwise)",
+            hint: "How long is the vector (1, ½)? Are your points as far apart as asked?",
+            answer: |q| inside(lattice(q, |p| turned(p, -1.0) * 1.25_f32.sqrt())),
         },
     ];
 }

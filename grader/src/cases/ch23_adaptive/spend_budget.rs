@@ -460,6 +460,20 @@ impl Graded for SpendBudget {
                 largest_remainders(q, &q.deviations.iter().map(share).collect::<Vec<_>>())
             },
         },
+        Mistake {
+            name: "shares by σ^(2/3) (the minimum taken into account), for which the sum of the standard errors is least",
+            hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.deviations.iter_mut().for_each(|d| *d = d.powf(2.0 / 3.0))
+                })
+            },
+        },
+        Mistake {
+            name: "shares by σ^(2/3) (the minimum taken into account, and the largest remainders rounded up), for which the sum of the standard errors is least",
+            hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
+            answer: |q| largest_remainders(q, &best_for(q, |d| d.powf(2.0 / 3.0))),
+        },
     ];
 }
 

@@ -12,7 +12,7 @@ use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use std::collections::BTreeSet;
-use suspects::{Suspect, suspects};
+use suspects::{HALF, Suspect, suspects};
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -113,14 +113,16 @@ impl<'a> Trial<'a> {
         // Yes and no are those of many guesses.
         let wrong = evidence.items[..evidence.wrong].iter();
         let differ: BTreeSet<&str> = wrong.map(|item| item.text.trim()).collect();
+        // Of all answers together it is known best how estimates scatter.
+        let all = Evidence::new(self.examiner, cases, answers);
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
             let score = evidence.score(1.0, answer);
-            score.is_some_and(|score| {
+            let in_all = all.score(HALF, |k| (suspect.answer)(&all.items[k].question));
+            score.zip(in_all).is_some_and(|(score, in_all)| {
                 let is_sharp = score.sharp == score.explained && differ.len() >= VARIED;
                 let is_told = !suspect.is_guess || is_sharp;
-                let denied = suspect.score.contradicted + score.contradicted;
-                score.missed + denied == 0 && !score.is_doubtful && is_told
+                score.missed + in_all.contradicted == 0 && !in_all.is_doubtful && is_told
             })
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();

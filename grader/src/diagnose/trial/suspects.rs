@@ -14,7 +14,7 @@ use raybook_workbook::exercise::Asked;
 const NEARLY: usize = 5;
 
 /// The share of the wrong answers that is asked of a suspect first.
-const HALF: f64 = 0.5;
+pub const HALF: f64 = 0.5;
 
 /// What is answered to a question by one who makes a mistake.
 type Answer<'a> = Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + 'a>;

@@ -21,6 +21,9 @@ const NEAR: f64 = 0.2;
 /// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
 const SURE: f64 = 0.1;
 
+/// Who gives other answers than a mistake, but their traits, leaves this share of the distance at most.
+const EXACT: f64 = 0.03;
+
 /// This share is nothing.
 const NOTHING: f64 = 1e-3;
 
@@ -296,7 +299,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         certain: *rank == 0
             && rivals.next().is_none()
             && *rest < SURE * whole.norm()
-            && given >= MOST,
+            && (given >= MOST || *rest < EXACT * whole.norm()),
         also: also.collect(),
         ..one(name, hint, Beside::Apart)
     };

@@ -232,6 +232,18 @@ impl Graded for PlaneHit {
                 (q.normal.dot(*q.ray.direction) != 0.0 && q.within.contains(t)).then_some(t)
             },
         },
+        Mistake {
+            name: "turns the normal against the ray, and forgets to turn the offset's sign with it",
+            hint: "n·x = offset and (−n)·x = offset: are these the same plane?",
+            answer: |q| {
+                let is_behind = q.normal.dot(*q.ray.direction) > 0.0;
+                Self::misread(q, |q| {
+                    if is_behind {
+                        q.normal = -q.normal;
+                    }
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -4,8 +4,8 @@ mod clips;
 
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
 use clips::{
-    between, crossed, faces_crossed, finish, folded, of_different_axes, of_last_axis, ordered_by,
-    overlap, slab, slabs, unswapped,
+    between, crossed, faces_crossed, finish, folded, folded_from, of_different_axes, of_last_axis,
+    ordered_by, overlap, slab, slabs, unswapped,
 };
 use glam::{Vec3, vec3};
 use rand::RngExt;
@@ -418,6 +418,22 @@ impl Graded for BoxClip {
             name: "takes 0 for within.min where the interval begins behind the origin",
             hint: "An interval may begin behind the origin: is what lies there in it?",
             answer: |q| Self::misread(q, |q| q.within.min = q.within.min.max(0.0)),
+        },
+        Mistake {
+            name: "keeps the entry of the last axis only, or the interval's min if that is later",
+            hint: "The ray is in the box where it is in all three slabs: which of the three entries counts?",
+            answer: |q| {
+                folded_from(
+                    q,
+                    |_, near, start| near.max(start),
+                    |max, far, _| max.min(far),
+                )
+            },
+        },
+        Mistake {
+            name: "keeps the exit of the last axis only, or the interval's max if that is earlier",
+            hint: "The ray is in the box where it is in all three slabs: which of the three exits counts?",
+            answer: |q| folded_from(q, |min, near, _| min.max(near), |_, far, end| far.min(end)),
         },
     ];
 

@@ -1,22 +1,19 @@
 //! `blinn_phong`: random questions, judge and mistakes.
 
 use super::highlight::{
-    BALL, ambient, greater_term, half, highlight_without_light, matte_from_below,
+    BALL, ambient, from_above, greater_term, half, highlight_without_light, matte_from_below,
     matte_without_cosine, mirrored, on_ball, power, power_of_colour, power_of_more, radiance,
     random, shining_through, with_highlight, with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch12_phong::BlinnPhongExercise;
+use raybook_workbook::exercises::ch12_phong::{BlinnPhongExercise, Highlight};
 use std::f32::consts::{PI, TAU};
 
-/// The right answer with this factor before the highlight.
-fn by_factor(q: &BlinnPhongExercise, factor: fn(&BlinnPhongExercise) -> f32) -> Rgb {
-    with_highlight(
-        &q.at,
-        factor(q) * power(half(&q.at).dot(*q.at.normal), &q.at),
-    )
+/// (N·H)^α.
+fn highlight(q: &Highlight) -> f32 {
+    power(half(q).dot(*q.normal), q)
 }
 
 impl Graded for BlinnPhongExercise {
@@ -91,13 +88,7 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "lets the highlight shine through from behind",
             hint: "Put the light just below the surface: N·H may still be large; should there be a highlight?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(half(&q.at).dot(*q.at.normal), &q.at),
-                    shining_through,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), shining_through),
         },
         Mistake {
             name: "lights the matte part from both sides",
@@ -137,7 +128,7 @@ impl Graded for BlinnPhongExercise {
             name: "forgets the light i in the matte part",
             hint: "Switch the light off: is the matte part gone?",
             answer: |q| {
-                let highlight = power(half(&q.at).dot(*q.at.normal), &q.at);
+                let highlight = highlight(&q.at);
                 if q.at.toward.dot(*q.at.normal) > 0.0 {
                     q.at.diffuse * q.at.toward.dot(*q.at.normal)
                         + q.at.specular * highlight * q.at.arriving
@@ -149,34 +140,21 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(half(&q.at).dot(*q.at.normal), &q.at),
-                    highlight_without_light,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), highlight_without_light),
         },
         Mistake {
             name: "multiplies the highlight by L·N",
             hint: "In the formula as it stands, which of the two terms has the factor L·N?",
             answer: |q| {
-                with_highlight(
-                    &q.at,
-                    q.at.toward.dot(*q.at.normal) * power(half(&q.at).dot(*q.at.normal), &q.at),
-                )
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, q.toward.dot(*q.normal) * highlight)
+                })
             },
         },
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(half(&q.at).dot(*q.at.normal), &q.at),
-                    matte_without_cosine,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), matte_without_cosine),
         },
         Mistake {
             name: "multiplies by the exponent instead of raising to it",
@@ -233,7 +211,7 @@ impl Graded for BlinnPhongExercise {
             hint: "Is any of your channels ever negative? There is no negative light.",
             answer: |q| {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal);
-                let highlight = q.at.specular * power(half(&q.at).dot(*q.at.normal), &q.at);
+                let highlight = q.at.specular * highlight(&q.at);
                 (diffuse + highlight) * q.at.arriving
             },
         },
@@ -248,20 +226,28 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "multiplies the highlight by (α + 8)/8π",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
-            answer: |q| by_factor(q, |q| (q.at.exponent + 8.0) / (8.0 * PI)),
+            answer: |q| {
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, (q.exponent + 8.0) / (8.0 * PI) * highlight)
+                })
+            },
         },
         Mistake {
             name: "multiplies the highlight by (α + 2)/2π",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
-            answer: |q| by_factor(q, |q| (q.at.exponent + 2.0) / TAU),
+            answer: |q| {
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, (q.exponent + 2.0) / TAU * highlight)
+                })
+            },
         },
         Mistake {
             name: "divides the highlight by 4 (L·N) (N·V), as in Cook and Torrance's model",
             hint: "That belongs to a BRDF of microfacets: is it in the formula that you are given?",
             answer: |q| {
-                by_factor(q, |q| {
-                    let cosines = q.at.toward.dot(*q.at.normal) * q.at.view.dot(*q.at.normal);
-                    0.25 / cosines.max(1e-6)
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    let cosines = q.toward.dot(*q.normal) * q.view.dot(*q.normal);
+                    from_above(q, 0.25 / cosines.max(1e-6) * highlight)
                 })
             },
         },
@@ -276,13 +262,7 @@ impl Graded for BlinnPhongExercise {
         Mistake {
             name: "takes the greater of matte part and highlight for their sum",
             hint: "Does the matte part vanish where the highlight is?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(half(&q.at).dot(*q.at.normal), &q.at),
-                    greater_term,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), greater_term),
         },
         Mistake {
             name: "adds an ambient part, a tenth of k_d i",

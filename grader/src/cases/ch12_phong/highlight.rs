@@ -35,7 +35,7 @@ pub(super) fn with_terms(q: &Highlight, highlight: f32, other: Terms) -> Rgb {
 }
 
 /// Nothing from a light below the surface.
-fn from_above(q: &Highlight, highlight: f32) -> Rgb {
+pub(super) fn from_above(q: &Highlight, highlight: f32) -> Rgb {
     let cosine = q.toward.dot(*q.normal);
     if cosine > 0.0 {
         (q.diffuse * cosine + q.specular * highlight) * q.arriving

@@ -1,14 +1,20 @@
 //! `phong`: random questions, judge and mistakes.
 
 use super::highlight::{
-    BALL, ambient, greater_term, half, highlight_without_light, matte_from_below,
+    BALL, ambient, from_above, greater_term, half, highlight_without_light, matte_from_below,
     matte_without_cosine, mirrored, on_ball, power, power_of_colour, power_of_more, radiance,
     random, shining_through, with_highlight, with_terms,
 };
 use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::exercises::ch12_phong::PhongExercise;
+use raybook_workbook::exercises::ch12_phong::{Highlight, PhongExercise};
+use std::f32::consts::TAU;
+
+/// (R·V)^α.
+fn highlight(q: &Highlight) -> f32 {
+    power(mirrored(q).dot(*q.view), q)
+}
 
 impl Graded for PhongExercise {
     fn random(rng: &mut Pcg) -> Self {
@@ -23,13 +29,7 @@ impl Graded for PhongExercise {
         Mistake {
             name: "lets the highlight shine through from behind",
             hint: "Put the light below the surface: the diffuse part vanishes; does everything?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
-                    shining_through,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), shining_through),
         },
         Mistake {
             name: "lets the highlight shine from behind, mirrored with a cosine of 0",
@@ -46,8 +46,7 @@ impl Graded for PhongExercise {
             hint: "Is any of your channels ever negative? There is no negative light.",
             answer: |q| {
                 let diffuse = q.at.diffuse * q.at.toward.dot(*q.at.normal);
-                (diffuse + q.at.specular * power(mirrored(&q.at).dot(*q.at.view), &q.at))
-                    * q.at.arriving
+                (diffuse + q.at.specular * highlight(&q.at)) * q.at.arriving
             },
         },
         Mistake {
@@ -94,33 +93,20 @@ impl Graded for PhongExercise {
             name: "multiplies the highlight by L·N",
             hint: "In the formula as it stands, which of the two terms has the factor L·N?",
             answer: |q| {
-                with_highlight(
-                    &q.at,
-                    q.at.toward.dot(*q.at.normal) * power(mirrored(&q.at).dot(*q.at.view), &q.at),
-                )
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, q.toward.dot(*q.normal) * highlight)
+                })
             },
         },
         Mistake {
             name: "forgets the light i in the highlight",
             hint: "Switch the light off: is your highlight gone?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
-                    highlight_without_light,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), highlight_without_light),
         },
         Mistake {
             name: "forgets the diffuse term's cosine",
             hint: "Tilt the surface away from the light: does it receive as much?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
-                    matte_without_cosine,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), matte_without_cosine),
         },
         Mistake {
             name: "takes N·V for R·V",
@@ -149,26 +135,25 @@ impl Graded for PhongExercise {
             name: "multiplies the highlight by (α + 2)/2",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
             answer: |q| {
-                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
-                with_highlight(&q.at, 0.5 * (q.at.exponent + 2.0) * highlight)
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, 0.5 * (q.exponent + 2.0) * highlight)
+                })
             },
         },
         Mistake {
             name: "multiplies the highlight by (α + 2)/2π",
             hint: "Is the highlight to conserve energy here, or to be as in the formula?",
             answer: |q| {
-                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
-                with_highlight(
-                    &q.at,
-                    (q.at.exponent + 2.0) / std::f32::consts::TAU * highlight,
-                )
+                with_terms(&q.at, highlight(&q.at), |q, highlight| {
+                    from_above(q, (q.exponent + 2.0) / TAU * highlight)
+                })
             },
         },
         Mistake {
             name: "forgets the light i in the matte part",
             hint: "Switch the light off: is the matte part gone?",
             answer: |q| {
-                let highlight = power(mirrored(&q.at).dot(*q.at.view), &q.at);
+                let highlight = highlight(&q.at);
                 if q.at.toward.dot(*q.at.normal) > 0.0 {
                     q.at.diffuse * q.at.toward.dot(*q.at.normal)
                         + q.at.specular * highlight * q.at.arriving
@@ -203,13 +188,7 @@ impl Graded for PhongExercise {
         Mistake {
             name: "takes the greater of matte part and highlight for their sum",
             hint: "Does the matte part vanish where the highlight is?",
-            answer: |q| {
-                with_terms(
-                    &q.at,
-                    power(mirrored(&q.at).dot(*q.at.view), &q.at),
-                    greater_term,
-                )
-            },
+            answer: |q| with_terms(&q.at, highlight(&q.at), greater_term),
         },
         Mistake {
             name: "adds an ambient part, a tenth of k_d i",
@@ -248,6 +227,20 @@ impl Graded for PhongExercise {
             name: "cuts off the exponent behind the decimal point, as a loop of products does",
             hint: "How often does your loop go round for an exponent of 2.5?",
             answer: |q| Self::misread(q, |q| q.at.exponent = q.at.exponent.floor()),
+        },
+        Mistake {
+            name: "subtracts the light's direction, not the viewer's, where it mirrors the viewer's: 2 (N·V) N − L",
+            hint: "Which direction does the reflection keep on its side of the normal, the light's or the viewer's? Is it the same one in both places?",
+            answer: |q| {
+                let Highlight {
+                    normal,
+                    view,
+                    toward,
+                    ..
+                } = q.at;
+                let mixed = 2.0 * normal.dot(*view) * *normal - *toward;
+                with_highlight(&q.at, power(mixed.dot(*toward), &q.at))
+            },
         },
     ];
 

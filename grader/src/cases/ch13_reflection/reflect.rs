@@ -183,6 +183,14 @@ impl Graded for Reflect {
             hint: COPIED_HINT,
             answer: |q| copied(q, 2, 1),
         },
+        Mistake {
+            name: "adds 2 |i·n| n to i (and brings the sum to length 1)",
+            hint: "Turn the normal round: it is the same mirror. Does your answer change?",
+            answer: |q| {
+                let cosine = q.incoming.dot(*q.normal).abs();
+                (*q.incoming + 2.0 * cosine * *q.normal).normalize_or_zero()
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

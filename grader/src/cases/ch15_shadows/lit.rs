@@ -249,7 +249,7 @@ impl Graded for Lit {
             },
         },
         Mistake {
-            name: "asks only for the nearer of the two hits with each sphere",
+            name: "asks only for the nearer of the two hits with each sphere, or leaves out a sphere in which the way begins",
             hint: "A ray that starts inside of a sphere hits it once, on its way out: which of your two distances is that?",
             answer: |q| u32::from(!blocked_by(q, |[nearer, _]| nearer)),
         },

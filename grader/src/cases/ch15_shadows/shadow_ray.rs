@@ -434,5 +434,15 @@ impl Graded for ShadowRay {
             hint: RELATIVE_HINT,
             answer: |q| relative(q, q.position.length()),
         },
+        Mistake {
+            name: "ends the interval at 0.99, wherever the light is",
+            hint: "The ray's direction has length 1: at which t is the light?",
+            answer: |q| ending(q, 0.99),
+        },
+        Mistake {
+            name: "ends the interval at 0.999, wherever the light is",
+            hint: "The ray's direction has length 1: at which t is the light?",
+            answer: |q| ending(q, 0.999),
+        },
     ];
 }

@@ -136,15 +136,10 @@ impl Graded for EnvironmentPdf {
             hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {
                 let (x, y) = q.texel();
-                let right = Self::right(q);
-                let here = q.map().texel(x, y) as f32;
-                let there = q
-                    .texels
-                    .get(x * q.height as usize + y)
-                    .copied()
-                    .unwrap_or(0.0);
-                if here > 0.0 {
-                    right * there / here
+                let there = q.texels.get(x * q.height as usize + y);
+                let all = integral(q);
+                if all > 0.0 {
+                    (f64::from(there.copied().unwrap_or(0.0)) / all) as f32
                 } else {
                     0.0
                 }
@@ -452,4 +447,13 @@ impl Graded for EnvironmentPdf {
         },
         colour: |_, density| viridis(4.0 * density),
     }];
+}
+
+/// The integral of the radiance over all directions.
+fn integral(q: &EnvironmentPdf) -> f64 {
+    let (map, width) = (q.map(), q.width as usize);
+    let texels = (0..q.texels.len()).map(|i| (i % width, i / width));
+    texels
+        .map(|(x, y)| map.texel(x, y) * map.solid_angle(y))
+        .sum()
 }

@@ -8,9 +8,11 @@ mod suspects;
 use super::evidence::Evidence;
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
+use crate::layout::{layout, parts};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::kind::Kind;
 use std::collections::BTreeSet;
 use suspects::{HALF, Suspect, suspects};
 
@@ -204,7 +206,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     let mut cases = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
         let question = match explained.get(i / 2 % explained.len().max(1)) {
-            Some(wrong) if i % 2 == 1 => near(wrong, rng),
+            Some(wrong) if i % 2 == 1 => near(examiner, wrong, rng),
             _ => examiner.random(rng),
         };
         if !examiner.is_sound(&question) {
@@ -242,14 +244,17 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     cases
 }
 
-/// A question whose numbers are a fifth larger or smaller at most, but for whole ones.
-fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
-    let moved = question.iter().map(|v| {
-        if v.is_finite() && v.fract() != 0.0 {
-            f64::from((v * rng.random_range(0.8..1.2)) as f32)
-        } else {
-            *v
+/// A question whose numbers are a fifth larger or smaller at most, but for counts: what is decided by round numbers, as of a ray between two
+/// cells, is not asked again.
+fn near(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+    let kind = examiner.asked().question;
+    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
+    let mut moved = question.to_vec();
+    let leaves = layout(kind, question).leaves.into_iter();
+    for leaf in leaves.filter(|leaf| !matches!(kinds[leaf.part], Kind::Whole)) {
+        for v in &mut moved[leaf.range()] {
+            *v = f64::from((*v * rng.random_range(0.8..1.2)) as f32);
         }
-    });
-    moved.collect()
+    }
+    moved
 }

@@ -5,7 +5,7 @@ use crate::diagnose::evidence::{Evidence, Score};
 use crate::diagnose::misread::{Misreading, misreadings};
 use crate::diagnose::pairs::{TOGETHER, of_two};
 use crate::diagnose::search::called;
-use crate::diagnose::slips::slipped;
+use crate::diagnose::slips::{Slipped, slipped};
 use crate::diagnose::{Beside, Diagnosis};
 use crate::examine::Examiner;
 use raybook_workbook::exercise::Asked;
@@ -73,7 +73,7 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         let two = [number, examiner.mistake_called(&second.name)];
         let ways = match two {
             [Some(one), Some(other)] => ways(evidence, one, other),
-            _ => misread_ways(examiner, [told, second]),
+            _ => guessed_ways(evidence, [told, second]),
         };
         let is_guess = two.contains(&None);
         let ways = ways.into_iter();
@@ -126,6 +126,33 @@ fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>
     ways
 }
 
+/// What one answers who makes two mistakes that are not both the exercise's own.
+fn guessed_ways<'a>(evidence: &Evidence<'a>, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
+    let mut ways = misread_ways(evidence.examiner, two);
+    ways.extend(slipped_way(evidence, two));
+    ways
+}
+
+/// What one answers who goes wrong at two steps of one way, or at one and misreads the question.
+fn slipped_way<'a>(evidence: &Evidence<'a>, two: [&Diagnosis; 2]) -> Option<Answer<'a>> {
+    let examiner = evidence.examiner;
+    let read = move |told: &Diagnosis, slip: Slipped| -> Option<Answer<'a>> {
+        let reading = reading_of(examiner, told)?;
+        let read = move |question: &[f64]| reading.read_or_not(examiner.asked().question, question);
+        Some(Box::new(move |question| slip.answer(&read(question))))
+    };
+    let [one, other] = two;
+    match two.map(|told| slip_of(evidence, told)) {
+        [Some(first), Some(then)] if then.goes_with(&first) => {
+            let way: Answer<'a> = Box::new(move |question| then.answer_with(&first, question));
+            Some(way)
+        }
+        [Some(slip), None] => read(other, slip),
+        [None, Some(slip)] => read(one, slip),
+        _ => None,
+    }
+}
+
 /// What one answers who misreads the question and makes one of the exercise's own mistakes with it, or misreads it twice.
 fn misread_ways<'a>(examiner: &'a dyn Examiner, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
     let asked = examiner.asked();
@@ -150,9 +177,14 @@ fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> 
     if let Some(reading) = reading_of(evidence.examiner, told) {
         return Some(read(evidence.examiner.asked(), reading));
     }
-    let mut slips = slipped(evidence).into_iter();
-    let slip = slips.find(|slip| slip.name == told.name && !slip.is_doubtful())?;
+    let slip = slip_of(evidence, told)?;
     Some(Box::new(move |question| slip.answer(question)))
+}
+
+/// The step that goes wrong as is told.
+fn slip_of(evidence: &Evidence<'_>, told: &Diagnosis) -> Option<Slipped> {
+    let mut slips = slipped(evidence).into_iter();
+    slips.find(|slip| slip.name == told.name && !slip.is_doubtful())
 }
 
 /// The way to misread the question that is told.

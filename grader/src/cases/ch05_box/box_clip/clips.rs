@@ -25,6 +25,24 @@ pub(super) fn folded(
     finish(min, max)
 }
 
+/// Clips by the slabs of the axes along which the ray moves, with a rule for the entry so far, that of an axis and the interval's min, and
+/// one for the exit so far, that of an axis and the interval's max.
+pub(super) fn folded_from(
+    q: &BoxClip,
+    enter: fn(f32, f32, f32) -> f32,
+    leave: fn(f32, f32, f32) -> f32,
+) -> Option<Interval> {
+    let Interval {
+        min: start,
+        max: end,
+    } = q.within;
+    let slabs = crossed(q)?.into_iter();
+    let (min, max) = slabs.fold((start, end), |(min, max), (_, (near, far))| {
+        (enter(min, near, start), leave(max, far, end))
+    });
+    finish(min, max)
+}
+
 /// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
 pub(super) fn slabs(
     q: &BoxClip,

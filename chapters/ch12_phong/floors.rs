@@ -69,7 +69,14 @@ pub(super) fn wet<M: Material + 'static>(exponent: f32, model: impl FnOnce(Phong
 /// Minimum of the width of a tile's edge, in tiles, where a sample covers next to nothing.
 const SHARPEST: f32 = 1e-3;
 
-/// Light and dark tiles. Their colour is the mean over the width that a sample covers: far tiles melt into one colour.
+/// The width of a pixel, in widths of one of its 16 samples.
+const PIXEL: f32 = 4.0;
+
+/// Number of tiles that a pixel covers, from where on the tiles have melted into one colour: they are finer than pixels can show, and
+/// would make a false pattern.
+const MELTED: f32 = 1.5;
+
+/// Light and dark tiles. Their colour is the mean over the width that a sample covers, and far tiles melt into one colour.
 struct Tiles;
 
 impl Texture for Tiles {
@@ -77,8 +84,9 @@ impl Texture for Tiles {
 
     fn at(&self, surface: &Surface) -> Phong {
         let wave = |x| square_wave(x, surface.texture_width.max(SHARPEST));
-        let dark = 0.5 - 0.5 * wave(surface.texture.x) * wave(surface.texture.y);
-        matte(Rgb::gray(0.75).lerp(Rgb::new(0.10, 0.32, 0.42), dark))
+        let contrast = (MELTED - PIXEL * surface.texture_width).clamp(0.0, 1.0);
+        let light = contrast * wave(surface.texture.x) * wave(surface.texture.y);
+        matte(Rgb::gray(0.75).lerp(Rgb::new(0.10, 0.32, 0.42), 0.5 - 0.5 * light))
     }
 }
 

@@ -5,6 +5,7 @@
 
 mod fresnel_plot;
 pub mod glassware;
+mod parts;
 pub mod prism;
 mod refraction_fan;
 
@@ -69,6 +70,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         );
         stage.picture("picture", &caption, &picture)?;
     }
+
+    stage.diagram(
+        "parts",
+        &parts::caption(knobs.index),
+        &parts::diagram(knobs.index)?,
+    )?;
 
     // Beyond this angle, in degrees, no light leaves the glass; into glass of index 1, all light goes straight on.
     let critical = (knobs.index > 1.0).then(|| (1.0 / knobs.index).asin().to_degrees());

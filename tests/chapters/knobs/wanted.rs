@@ -60,7 +60,7 @@ fn one_picture_is_drawn_alone() {
     names.sort();
     assert_eq!(names, ["fresnel.png", "fresnel.svg"], "{said}");
     let (code, said, _) = run("ch14_refraction", &["--picture", "roof"]);
-    let expected = "there are picture, beams, fresnel, prism, nested, depth, absorption";
+    let expected = "there are picture, parts, beams, fresnel, prism, nested, depth, absorption";
     assert!(
         code == Some(2) && said.contains(expected),
         "{code:?} {said}"

@@ -65,7 +65,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         }
     }
 
-    let small = LazyCell::new(|| halved(&radiance));
+    let small = LazyCell::new(|| third(&radiance));
     let exposed = |stops: f32| small.map(|p| tone::expose(p, stops));
     if stage.wants("exposures") {
         let tiles = [
@@ -174,15 +174,11 @@ fn without_stairs(film: &Film, picture: &Image, see: impl Fn(Vec2) -> Rgb + Sync
     })
 }
 
-/// A picture half as wide and high: each pixel is the mean of four.
-fn halved(picture: &Image) -> Image {
-    Image::from_fn(picture.width() / 2, picture.height() / 2, |x, y| {
-        let four = [(0, 0), (1, 0), (0, 1), (1, 1)];
-        let sum: Rgb = four
-            .iter()
-            .map(|(i, j)| picture.at(2 * x + i, 2 * y + j))
-            .sum();
-        sum / 4.0
+/// A picture a third as wide and high, so that three side by side are as wide as the main picture: each pixel is the mean of nine.
+fn third(picture: &Image) -> Image {
+    Image::from_fn(picture.width() / 3, picture.height() / 3, |x, y| {
+        let nine = (0..9).map(|i| picture.at(3 * x + i % 3, 3 * y + i / 3));
+        nine.sum::<Rgb>() / 9.0
     })
 }
 

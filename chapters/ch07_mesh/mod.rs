@@ -10,6 +10,7 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::showroom;
 use crate::shared::showroom::{FLAT, Look, NORMALS, SMOOTH, Showroom, TEXTURE};
+use crate::shared::stock_picture;
 use clap::Args;
 use raybook::accel::{Accel, Meshed, Tests, list::List, wide_bvh::WideBvh};
 use raybook::image::Image;
@@ -17,6 +18,7 @@ use raybook::math::{interval::Interval, ray::Ray, slab};
 use raybook::render::film::Film;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Hit, Shape, teapot};
+use raybook_scenes::gallery;
 use std::error::Error;
 use std::hint::black_box;
 use std::process::ExitCode;
@@ -47,24 +49,32 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let n = knobs.cells;
     let teapot = teapot::mesh(n);
     let film = draw_mesh(stage, &own_mesh::film_of_list(stage, &teapot), &teapot)?;
-    if !stage.wants("tessellation") {
+    if stage.wants("tessellation") {
+        let tile = |n| {
+            let [smooth] = looks(&film, &teapot::mesh(n), [SMOOTH]);
+            smooth
+        };
+        let tiles = [
+            ("2 × 2 per patch", tile(2)),
+            ("3 × 3", tile(3)),
+            (&format!("{n} × {n}"), tile(n)),
+        ];
+        let caption = format!(
+            "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. With interpolated normals the surface looks round \
+            even with few triangles; the outline does not.",
+            n * n
+        );
+        stage.figure("tessellation", &caption, &sheet(3, &tiles)?)?;
+    }
+
+    if !stage.wants("china") {
         return Ok(());
     }
-    let tile = |n| {
-        let [smooth] = looks(&film, &teapot::mesh(n), [SMOOTH]);
-        smooth
-    };
-    let tiles = [
-        ("2 × 2 per patch", tile(2)),
-        ("3 × 3", tile(3)),
-        (&format!("{n} × {n}"), tile(n)),
-    ];
-    let caption = format!(
-        "The teapot's 32 patches cut into 4, 9 and {} quadrilaterals each. With interpolated normals the surface looks round \
-        even with few triangles; the outline does not.",
-        n * n
-    );
-    stage.figure("tessellation", &caption, &sheet(3, &tiles)?)
+    let caption = "A picture and a normal map on the teapot. Both are looked up by the interpolated texture coordinates: the picture \
+        gives the colour of the china, and the normal map tilts the interpolated normal. The surface looks hammered, and the \
+        outline shows that it is not. Later lessons bring the light.";
+    let film = stage.film_of(400, 8, 32.0 / 21.0);
+    stock_picture::draw(stage, &film, gallery::TEAPOT, "china", caption)
 }
 
 /// Says how long the search takes for a mesh of the user's own, and what is faster if that is long.

@@ -14,6 +14,7 @@ use crate::kit::plate;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::untrusted::Untrusted;
+use crate::shared::stock_picture;
 use clap::Args;
 use environments::{DIRECTIONS, Layouts, layouts, quarters};
 use raybook::image::denoise::Guide;
@@ -105,6 +106,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         );
         let tiles = metals::named(&metals.map(tone::aces), knobs.roughness);
         stage.figure("metals", &caption, &sheet(4, &tiles)?)?;
+    }
+
+    if stage.wants("plastics") {
+        let caption = "Behind, gold, rough copper and rough aluminium; in front, red plastic, matte green paint and blue plastic. A metal \
+            gives its own colour to what it reflects. Plastic does not: the image of the window in red plastic is white.";
+        let film = stage.film_of(420, 12, 2.0);
+        let stock = gallery::METALS_AND_PLASTICS;
+        stock_picture::draw(stage, &film, stock, "plastics", caption)?;
     }
 
     if !stage.wants("importance") {

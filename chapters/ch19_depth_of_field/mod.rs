@@ -7,6 +7,9 @@
 mod blur_plot;
 mod bokeh;
 mod lens_samples;
+#[path = "../../examples/many_balls.rs"]
+#[expect(dead_code, reason = "its `main` is the example's")]
+mod many_balls; // the scene stands in the example alone
 pub mod tea_table;
 
 use crate::kit::chapter;
@@ -18,10 +21,13 @@ use raybook::camera::aperture::Aperture;
 use raybook::camera::lens::LensError;
 use raybook::camera::pinhole::Pinhole;
 use raybook::camera::thin_lens::ThinLens;
+use raybook::image::tone;
 use raybook::math::interval::Interval;
+use raybook::render::clamped::Clamped;
 use raybook::render::film::Film;
 use raybook::render::glints::add_glints;
 use raybook::render::local::Local;
+use raybook::render::path::Path;
 use raybook::render::sampler::Sampler;
 use raybook::render::shadow;
 use raybook::render::whitted::Whitted;
@@ -140,11 +146,39 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             &bokeh::draw(&stage.tile(4, 1.0).halved())?,
         )?;
     }
+
+    if stage.wants("balls") {
+        draw_balls(stage)?;
+    }
     let caption = format!(
         "The circle of confusion of a 50 mm lens that is focused at {focus} m: the disc on the sensor that a point becomes. A disc \
         smaller than a pixel looks sharp: the shaded ranges are the depth of field."
     );
     stage.diagram("blur", &caption, &blur_plot::plot(focus)?)
+}
+
+/// Draws the example's hundreds of balls.
+fn draw_balls(stage: &Stage) -> Drawn {
+    let film = stage.film_of(440, 10, 16.0 / 9.0);
+    let (scene, camera) = many_balls::balls(film.aspect())?;
+    let path = Clamped {
+        integrator: Path {
+            depth: 6,
+            ..Path::WHOLE
+        },
+        brightest: 3.0, // brighter samples are rare: they would be white dots
+    };
+    let radiance = film.denoised(&[], |film| {
+        film.render(&camera, &Sampler::Even, &path, &scene)
+    });
+    let lens = camera.lens;
+    let caption = format!(
+        "Hundreds of balls of plastic, paint, glass and metal under the sun and the sky, through a lens of {:.0} cm diameter that is \
+        focused on the three large balls, at {:.1} m.",
+        100.0 * lens.focal_length / lens.f_number,
+        lens.focus
+    );
+    stage.developed("balls", &caption, &radiance, &radiance.map(tone::aces))
 }
 
 impl Knobs {

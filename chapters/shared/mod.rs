@@ -12,3 +12,4 @@ pub mod ray_tree_figure;
 pub mod showroom;
 pub mod speeds;
 pub mod stadium_figure;
+pub mod stock_picture;

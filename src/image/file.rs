@@ -107,6 +107,23 @@ pub fn to_png(picture: &Image) -> io::Result<Vec<u8>> {
     codec::encode_png(picture).map_err(io::Error::other)
 }
 
+/// The picture of a PNG file's bytes, for a program that contains its pictures; the code values are decoded from sRGB.
+///
+/// # Errors
+/// As for [`load`], in words.
+///
+/// ```
+/// use raybook::image::{Image, file, rgb::Rgb};
+///
+/// let picture = Image::from_fn(2, 1, |_, _| Rgb::WHITE);
+/// let bytes = file::to_png(&picture)?;
+/// assert_eq!(file::from_png(&bytes).expect("a PNG file").at(1, 0), Rgb::WHITE);
+/// # Ok::<(), std::io::Error>(())
+/// ```
+pub fn from_png(bytes: &[u8]) -> Result<Image, String> {
+    codec::decode_png(bytes)
+}
+
 /// Reads a picture of linear radiance; a PNG's code values are decoded from sRGB.
 ///
 /// # Errors

@@ -14,7 +14,7 @@ use raybook::sample::filter::Filter;
 use raybook::scene::cornell;
 use raybook_common::{project, rays::random_direction};
 use raybook_scenes::wrong::TextError;
-use raybook_scenes::{Shot, load};
+use raybook_scenes::{Shot, gallery, load};
 
 #[test]
 fn a_scene_file_draws_what_the_library_draws() {
@@ -141,6 +141,24 @@ fn a_stock_scene_is_the_picture_of_its_chapter() {
         compare(&kept, &draw(&film, &shot), &Tolerance::RENDERED_AGAIN)
             .unwrap_or_else(|difference| panic!("{chapter}: {difference}"));
     }
+}
+
+#[test]
+fn a_stock_scene_brings_its_pictures() {
+    let shots = [
+        stock("teapot", 64),
+        gallery::TEAPOT.shot(64), // whose file is not found from here
+    ];
+    let [of_file, built_in] = shots.map(|shot| {
+        let shot = shot.unwrap_or_else(|error| panic!("{error}"));
+        shot.render(&Film::new(shot.picture.width, shot.picture.height, 4))
+    });
+    assert!(of_file.same_bits(&built_in));
+    let blue = |pixel: &&Rgb| pixel.b > 1.5 * pixel.r;
+    assert!(
+        of_file.pixels().iter().filter(blue).count() > 3,
+        "the flowers are seen"
+    );
 }
 
 #[test]

@@ -4,7 +4,7 @@
 use crate::values::{colour, described, number, place, three, whole};
 use crate::wrong::{Source, TextError, did_you_mean, listed, shown};
 use glam::Vec3;
-use raybook::image::rgb::Rgb;
+use raybook::image::{Image, file, rgb::Rgb};
 use raybook::math::{dir3::Dir3, domain::LARGEST};
 use std::borrow::Cow;
 use std::cell::RefCell;
@@ -14,6 +14,9 @@ use toml::de::{DeTable, DeValue};
 
 /// The brightest light that a scene may have.
 const BRIGHTEST: f32 = 1e12;
+
+/// PNG files that are part of the program, with the names by which a text refers to them.
+pub type Pictures = &'static [(&'static str, &'static [u8])];
 
 /// Makes something of a table of its kind.
 pub type Make<T> = fn(&Fields) -> Result<T, TextError>;
@@ -27,6 +30,7 @@ pub struct Fields<'a> {
     start: usize,
     table: &'a DeTable<'a>,
     asked: RefCell<Vec<&'static str>>,
+    pictures: Pictures,
 }
 
 impl<'a> Fields<'a> {
@@ -38,7 +42,14 @@ impl<'a> Fields<'a> {
             start,
             table,
             asked: RefCell::default(),
+            pictures: &[],
         }
+    }
+
+    /// The same, and the tables in this one, with pictures that need no files.
+    #[must_use]
+    pub fn with_pictures(self, pictures: Pictures) -> Self {
+        Self { pictures, ..self }
     }
 
     /// The text.
@@ -250,6 +261,18 @@ impl<'a> Fields<'a> {
         self.get(key, "a text in quotes", DeValue::as_str)
     }
 
+    /// The picture of this name, which the field has: one that is part of the program, or else a file beside the text.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn picture(&self, key: &str, name: &str) -> Result<Image, TextError> {
+        let picture = match self.pictures.iter().find(|(known, _)| *known == name) {
+            Some((_, bytes)) => file::from_png(bytes),
+            None => file::load(&self.source.beside(name)).map_err(|error| error.to_string()),
+        };
+        picture.map_err(|error| self.wrong(key, error))
+    }
+
     /// What the word stands for, of those that are known.
     ///
     /// # Errors
@@ -344,7 +367,7 @@ impl<'a> Fields<'a> {
             let message = format!("{} must be a table, and this is {found}", shown(key));
             return Err(self.source.wrong(start, message));
         };
-        Ok(Self::new(self.source, what, start, table))
+        Ok(Self::new(self.source, what, start, table).with_pictures(self.pictures))
     }
 
     /// The end: every field was read.

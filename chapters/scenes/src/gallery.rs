@@ -1,24 +1,27 @@
 //! The stock scenes of the course: files of the gallery, which chapters draw and `raybook render` too.
 
+use crate::fields::Pictures;
 use crate::wrong::TextError;
-use crate::{Shot, parse};
+use crate::{Shot, parse_with};
 use raybook::light::Light;
 use std::path::Path;
 
-/// A scene file of the gallery that is part of the program. It needs no other files.
+/// A scene file of the gallery that is part of the program, with the pictures that it names. It needs no other files.
 #[derive(Clone, Copy, Debug)]
 pub struct Stock {
     /// Its name, for error messages.
     name: &'static str,
     text: &'static str,
+    pictures: Pictures,
 }
 
-/// The file of this name.
+/// The file of this name, with pictures.
 macro_rules! stock {
-    ($name:literal) => {
+    ($name:literal $(, $picture:literal)*) => {
         Stock {
             name: $name,
             text: include_str!(concat!("../gallery/", $name)),
+            pictures: &[$(($picture, include_bytes!(concat!("../gallery/", $picture)))),*],
         }
     };
 }
@@ -32,11 +35,17 @@ pub const HORIZON: Stock = stock!("horizon.toml");
 /// Marbles on a polished floor of a chessboard pattern, in the light of a lamp and the sun: chapters 13 and 15.
 pub const MARBLES: Stock = stock!("marbles.toml");
 
+/// Metals beside plastics, through a lens: chapter 18.
+pub const METALS_AND_PLASTICS: Stock = stock!("metals_and_plastics.toml");
+
 /// Posts, a table and a ball on a pale floor, of which some parts are near the floor and some are high above it: chapter 16.
 pub const POSTS: Stock = stock!("posts.toml");
 
 /// Three balls on a plinth, to compare lights: one is matte, one glossy, one of gold. Chapters 18 and 20 bring their own light.
 pub const STILL_LIFE: Stock = stock!("still_life.toml");
+
+/// A teapot with a picture and a normal map on it: chapter 7.
+pub const TEAPOT: Stock = stock!("teapot.toml", "china.png", "hammered.png");
 
 impl Stock {
     /// The scene, with a camera for a picture of this width in pixels.
@@ -63,6 +72,6 @@ impl Stock {
     /// If the file or what follows is wrong.
     pub fn with(&self, more: &str, width: usize) -> Result<Shot, TextError> {
         let text = format!("{}{more}", self.text);
-        parse(Path::new(self.name), &text, Some(width))
+        parse_with(self.pictures, Path::new(self.name), &text, Some(width))
     }
 }

@@ -11,7 +11,7 @@ pub mod shapes;
 pub mod values;
 pub mod wrong;
 
-use fields::Fields;
+use fields::{Fields, Pictures};
 use raybook::camera::Camera;
 use raybook::image::Image;
 use raybook::render::film::Film;
@@ -86,9 +86,19 @@ pub fn load(path: &Path, width: Option<usize>) -> Result<Shot, TextError> {
 /// # Errors
 /// Those of [`load`].
 pub fn parse(path: &Path, text: &str, width: Option<usize>) -> Result<Shot, TextError> {
+    parse_with(&[], path, text, width)
+}
+
+/// As [`parse`], with pictures that need no files.
+pub(crate) fn parse_with(
+    pictures: Pictures,
+    path: &Path,
+    text: &str,
+    width: Option<usize>,
+) -> Result<Shot, TextError> {
     let source = Source { path, text };
     let table = source.parse()?;
-    let fields = Fields::new(source, "a scene", 0, table.get_ref());
+    let fields = Fields::new(source, "a scene", 0, table.get_ref()).with_pictures(pictures);
     let mut picture = rendering::picture(fields.table("picture", "the picture")?)?;
     if let Some(width) = width {
         picture = picture.of_width(width);

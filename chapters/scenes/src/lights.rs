@@ -3,7 +3,7 @@
 use crate::fields::{Fields, Make};
 use crate::wrong::TextError;
 use glam::Vec3;
-use raybook::image::{Image, file, mip::MipMap, rgb::Rgb};
+use raybook::image::{Image, mip::MipMap, rgb::Rgb};
 use raybook::light::Light;
 use raybook::light::directional::DirectionalLight;
 use raybook::light::environment::Environment;
@@ -110,6 +110,5 @@ pub(crate) fn surroundings(fields: &Fields, scene: &mut Scene) -> Result<(), Tex
 /// The picture that the field `file` names.
 pub(crate) fn picture(fields: &Fields) -> Result<Image, TextError> {
     let name = fields.need("file", Fields::text)?;
-    file::load(&fields.source().beside(name))
-        .map_err(|error| fields.wrong("file", error.to_string()))
+    fields.picture("file", name)
 }

@@ -14,7 +14,7 @@ use raybook::shape::mesh::Mesh;
 use raybook::shape::normal_map::NormalMap;
 use raybook::shape::{Shape, instance::Instance, mesh_file, plane::Plane, sphere::Sphere, teapot};
 use std::collections::HashMap;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use std::sync::Arc;
 
 /// The things of all tables, and remarks about what their files describe and the things do not have.
@@ -39,7 +39,7 @@ pub(crate) fn things(
 struct Loaded {
     meshes: HashMap<(Source, Look), Arc<dyn Shape>>,
     models: HashMap<PathBuf, Vec<Thing>>,
-    normals: HashMap<PathBuf, Arc<NormalMap>>,
+    normals: HashMap<String, Arc<NormalMap>>,
     remarks: Vec<String>,
 }
 
@@ -50,11 +50,11 @@ enum Source {
     File(PathBuf),
 }
 
-/// The look of a mesh: flat or smooth facets, and the file of a normal map.
+/// The look of a mesh: flat or smooth facets, and the name of a normal map.
 #[derive(Clone, Default, PartialEq, Eq, Hash)]
 struct Look {
     facets: Facets,
-    normal_map: Option<PathBuf>,
+    normal_map: Option<String>,
 }
 
 #[derive(Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -167,7 +167,7 @@ impl Look {
         let normal_map = fields.text("normal_map")?;
         Ok(Self {
             facets,
-            normal_map: normal_map.map(|name| fields.source().beside(name)),
+            normal_map: normal_map.map(str::to_owned),
         })
     }
 }
@@ -219,23 +219,22 @@ impl Loaded {
             Facets::AsTheyAre => mesh,
         };
         let mesh = match &look.normal_map {
-            Some(path) => mesh.with_bumps(self.normals(fields, path)?),
+            Some(name) => mesh.with_bumps(self.normals(fields, name)?),
             None => mesh,
         };
         Ok(Arc::new(Meshed::new(mesh, WideBvh::new)))
     }
 
-    /// The normal map of a file.
-    fn normals(&mut self, fields: &Fields, path: &Path) -> Result<Arc<NormalMap>, TextError> {
-        if let Some(map) = self.normals.get(path) {
+    /// The normal map of this name.
+    fn normals(&mut self, fields: &Fields, name: &str) -> Result<Arc<NormalMap>, TextError> {
+        if let Some(map) = self.normals.get(name) {
             return Ok(map.clone());
         }
-        let picture = raybook::image::file::load(path)
-            .map_err(|error| fields.wrong("normal_map", error.to_string()))?;
+        let picture = fields.picture("normal_map", name)?;
         let map = NormalMap::new(&picture.map(|pixel| pixel.map(tone::encode_srgb)));
         Ok(self
             .normals
-            .entry(path.into())
+            .entry(name.into())
             .or_insert(Arc::new(map))
             .clone())
     }

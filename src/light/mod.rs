@@ -43,7 +43,8 @@ pub trait Light: Send + Sync {
 
     /// A photon that leaves the light: `place`, uniform in [0, 1)², chooses where, and `direction`, likewise, in which direction.
     ///
-    /// The average of its `power` is the light's flux. `None` for a light that sends out no photons, such as a light at infinity.
+    /// The average of its `power` is the light's flux. `None` for a light that sends out no photons, such as a light at infinity: its
+    /// flux is as large as the scene is wide, which with a plane is without end.
     fn emit(&self, _place: Vec2, _direction: Vec2) -> Option<Emitted> {
         None
     }
@@ -86,7 +87,7 @@ pub struct Emitted {
     /// The ray from a point of the light.
     pub ray: Ray,
     /// The estimate of the light's flux, in W: L cos θ/(p_A p_ω), where the point was chosen with the density p_A per m², and the
-    /// direction, at the angle θ to the normal, with the density p_ω per steradian.
+    /// direction, at the angle θ to the normal, with the density p_ω per steradian. I/p_ω for a light without an extent.
     pub power: Rgb,
 }
 

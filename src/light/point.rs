@@ -9,9 +9,11 @@
 //! ```
 
 use crate::image::rgb::Rgb;
-use crate::light::{Light, LightSample};
-use crate::math::dir3::Dir3;
+use crate::light::{Emitted, Light, LightSample};
+use crate::math::{dir3::Dir3, ray::Ray};
+use crate::sample::hemisphere::uniform_sphere;
 use glam::{Vec2, Vec3};
+use std::f32::consts::PI;
 
 /// A light without an extent that shines equally to all sides.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -41,5 +43,13 @@ impl Light for PointLight {
 
     fn has_extent(&self) -> bool {
         false
+    }
+
+    /// From the light's place, in a direction that is uniform over the sphere: p_ω = 1/4π, so I/p_ω = 4π I, the whole power.
+    fn emit(&self, _place: Vec2, direction: Vec2) -> Option<Emitted> {
+        Some(Emitted {
+            ray: Ray::new(self.position, uniform_sphere(direction)),
+            power: self.intensity * (4.0 * PI),
+        })
     }
 }

@@ -15,6 +15,7 @@ use crate::image::rgb::Rgb;
 use crate::light::extent::{LightSampling, emit, per_steradian, shine};
 use crate::light::{Emitted, Light, LightHit, LightSample};
 use crate::math::{basis::Basis, dir3::Dir3, interval::Interval, ray::Ray};
+use crate::sample::hemisphere::uniform_sphere;
 use crate::shape::{Shape, sphere::Sphere};
 use glam::{Vec2, Vec3, vec2, vec3};
 use std::f32::consts::TAU;
@@ -133,12 +134,7 @@ impl Light for SphereLight {
     ///
     /// The sphere shines to both sides, so its flux is 2·π·4π r²·L.
     fn emit(&self, place: Vec2, direction: Vec2) -> Option<Emitted> {
-        let (r, height) = (self.sphere.radius, 1.0 - 2.0 * place.x);
-        let (sine, (sin_phi, cos_phi)) = (
-            (1.0 - height * height).max(0.0).sqrt(),
-            (TAU * place.y).sin_cos(),
-        );
-        let outward = Dir3::new(vec3(sine * cos_phi, sine * sin_phi, height))?;
+        let (r, outward) = (self.sphere.radius, uniform_sphere(place));
         let at = self.sphere.center + r * *outward;
         // Twice u.x is uniform over [0, 1) in each half.
         let (side, u) = if direction.x < 0.5 {

@@ -1,4 +1,5 @@
-//! Random directions of a hemisphere: uniform, or with a density proportional to the cosine or to a power of the cosine.
+//! Random directions of a hemisphere: uniform, or with a density proportional to the cosine or to a power of the cosine. And of the
+//! whole sphere: uniform.
 //!
 //! Each function makes a direction from u, uniform in [0, 1)². Its density is per steradian, and integrates to 1.
 //!
@@ -30,6 +31,11 @@ pub fn uniform_hemisphere(normal: Dir3, u: Vec2) -> Dir3 {
     at_height(normal, 1.0 - u.x, u.y)
 }
 // ANCHOR_END: uniform_hemisphere
+
+/// A direction, uniform over the whole sphere: as [`uniform_hemisphere`], but cos θ goes from 1 to −1. Its density is 1/4π.
+pub fn uniform_sphere(u: Vec2) -> Dir3 {
+    at_height(Dir3::Z, 1.0 - 2.0 * u.x, u.y)
+}
 
 // ANCHOR: cosine_hemisphere
 /// A direction of the hemisphere around a normal, with the density cos θ/π per steradian (Malley 1988).

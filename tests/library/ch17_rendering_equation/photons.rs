@@ -4,7 +4,7 @@ use crate::ch17_rendering_equation::{ALL, square, thing};
 use glam::{Vec2, Vec3, vec2, vec3};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, extent::LightSampling};
-use raybook::light::{rect_light::RectLight, sphere_light::SphereLight};
+use raybook::light::{point::PointLight, rect_light::RectLight, sphere_light::SphereLight};
 use raybook::material::glass::{Glass, Medium};
 use raybook::material::{lambert::Lambert, mirror::Mirror, polished::Polished};
 use raybook::math::{dir3::Dir3, pcg, ray::Ray};
@@ -34,6 +34,13 @@ fn ball_of_light(center: Vec3, radius: f32) -> SphereLight {
     }
 }
 
+fn point(position: Vec3) -> PointLight {
+    PointLight {
+        position,
+        intensity: Rgb::new(3.0, 2.0, 1.0),
+    }
+}
+
 fn floor() -> Thing {
     let albedo = Rgb::new(0.8, 0.7, 0.6);
     thing(Plane::through(Vec3::ZERO, Dir3::Y), Lambert { albedo })
@@ -56,8 +63,11 @@ fn burning_glass() -> Scene {
 fn the_mean_power_of_photons_is_the_flux_of_the_light() {
     let sphere = ball_of_light(Vec3::Y, 0.3);
     let both_sides = 2.0 * 4.0 * PI * 0.3 * 0.3;
-    let lights: [(&dyn Light, f32); 2] =
-        [(&lamp(), 8.0 * PI * 0.6), (&sphere, 2.0 * PI * both_sides)];
+    let lights: [(&dyn Light, f32); 3] = [
+        (&lamp(), 8.0 * PI * 0.6),
+        (&sphere, 2.0 * PI * both_sides),
+        (&point(Vec3::Y), 3.0 * 4.0 * PI),
+    ];
     for (light, flux) in lights {
         let mean = Mean::sampled(40, 1000, |rng| {
             let photon = light.emit(square(rng), square(rng));
@@ -100,11 +110,12 @@ fn photons_arrive_where_samples_of_the_light_tell() {
         ball_of_light(vec3(0.3, 1.0, 0.0), 0.4),
         ball_of_light(vec3(0.3, 0.2, 0.0), 3.0),
     );
-    let lights: [(&str, &dyn Light); 4] = [
+    let lights: [(&str, &dyn Light); 5] = [
         ("a rectangle", &lamp()),
         ("a tilted one", &tilted),
         ("a sphere", &above),
         ("a sphere from inside", &around),
+        ("a point", &point(vec3(0.3, 1.0, 0.0))),
     ];
     for (name, light) in lights {
         for middle in [Vec2::ZERO, vec2(1.0, 0.0), vec2(-0.5, 1.2)] {
@@ -116,6 +127,81 @@ fn photons_arrive_where_samples_of_the_light_tell() {
             );
         }
     }
+}
+
+/// A surface of glass that bends and reflects nothing: photons land behind it, where direct light would arrive if it were not there.
+fn film(height: f32) -> Thing {
+    thing(
+        Plane::through(height * Vec3::Y, Dir3::Y),
+        Glass::of(Medium::AIR),
+    )
+}
+
+/// The irradiance of the surface below a point of a white scene, by photons, in W/m². The radiosity of a white surface is its irradiance: π L.
+fn irradiance(scene: &Scene, photons: &Photons, above: Vec3) -> f32 {
+    let down = Ray::new(above, -Dir3::Y);
+    let seen = scene.closest(&down).expect("a surface");
+    PI * photons.reflected(&seen, Dir3::Y, u32::MAX).r
+}
+
+#[test]
+fn photons_of_a_point_light_bring_its_irradiance_through_a_clear_surface() {
+    let (lamp, floor) = (
+        point(vec3(0.2, 2.0, 0.0)),
+        thing(Plane::through(Vec3::ZERO, Dir3::Y), WHITE),
+    );
+    let scene = Scene::new(vec![floor, film(1.0)], vec![Box::new(lamp)]);
+    let photons = Photons::shot(&scene, 500_000, 0.1, 2);
+    for (x, z) in [(0.2, 0.0), (-0.8, 0.3), (1.0, 1.5)] {
+        // Of all places of a small square: at one place, few photons tell little.
+        let (mut brought, mut direct) = (0.0, 0.0);
+        for i in 0..100 {
+            let at = vec3(x + 0.1 * (i % 10) as f32, 0.0, z + 0.1 * (i / 10) as f32);
+            brought += irradiance(&scene, &photons, at + 0.5 * Vec3::Y);
+            let sample = lamp.sample(at, Vec2::ZERO).expect("it shines");
+            direct += sample.arriving.r * sample.toward.y; // I cos θ/r²
+        }
+        assert!(
+            (brought / direct - 1.0).abs() < 0.01,
+            "around {x}, {z}: {brought} by photons, {direct} by direct light"
+        );
+    }
+}
+
+#[test]
+fn a_caustic_has_all_the_power_that_a_point_light_sends_into_clear_glass() {
+    let (lamp, middle, radius) = (point(vec3(0.0, 2.0, 0.0)), vec3(0.0, 0.75, 0.0), 0.5);
+    let glass = thing(Sphere::new(middle, radius), Glass::of(Medium::GLASS));
+    let room = thing(Sphere::new(Vec3::Y, 5.0), WHITE);
+    let scene = Scene::new(vec![glass, room], vec![Box::new(lamp)]);
+    let photons = Photons::shot(&scene, 200_000, 0.1, 4);
+    assert!(photons.come_from(0));
+    let landed: f64 = photons.all().iter().map(|p| f64::from(p.power.r)).sum();
+    // The ball is seen in a cone with the solid angle 2π(1 − cos α), sin α = radius/distance, and takes no light away.
+    let sine = f64::from(radius / middle.distance(lamp.position));
+    let sent = 3.0 * f64::from(2.0 * PI) * (1.0 - (1.0 - sine * sine).sqrt());
+    assert!(
+        (landed / sent - 1.0).abs() < 0.003,
+        "{sent} W are sent into the ball, and {landed} W have landed"
+    );
+}
+
+#[test]
+fn a_point_light_has_the_caustic_of_a_tiny_ball_of_light() {
+    // I = π ρ² L: at the same power, the ball of light has the same intensity to all sides.
+    let (lamp, radius) = (point(vec3(0.2, 2.0, 0.0)), 1e-3);
+    let tiny = SphereLight {
+        radiance: lamp.intensity / (PI * radius * radius),
+        ..ball_of_light(lamp.position, radius)
+    };
+    let [point, ball] = [Box::new(lamp) as Box<dyn Light>, Box::new(tiny)].map(|light| {
+        let scene = Scene::new(vec![floor(), ball(Medium::GLASS)], vec![light]);
+        let photons = with_photons(&scene, ALL);
+        let below = (vec3(0.0, 0.1, 0.0), 1.0);
+        seen_below(&scene, &photons, below, 10_000)
+    });
+    let apart = (point.mean / ball.mean - 1.0).abs();
+    assert!(apart < 0.02, "{point:?} by a point, {ball:?} by a ball");
 }
 
 /// What is seen straight below a point, on average over a square around `middle` with this `side`, in metres.
@@ -278,10 +364,7 @@ fn a_white_floor_shows_all_the_power_that_has_landed_on_it() {
     let shown: f32 = places
         .map(|place| {
             let place = step * place - HALF;
-            let down = Ray::new(vec3(place.x, 0.01, place.y), -Dir3::Y);
-            let seen = scene.closest(&down).expect("the floor");
-            // The radiosity of a white surface is its irradiance: π L.
-            PI * photons.reflected(&seen, Dir3::Y, u32::MAX).r * step * step
+            irradiance(&scene, &photons, vec3(place.x, 0.01, place.y)) * step * step
         })
         .sum();
     assert!(
@@ -309,8 +392,7 @@ fn photons_land_only_after_mirrors_or_glass() {
 fn photons_light_their_own_side_only() {
     // Two sheets, a hundredth of the radius apart: the upper one is lit from above, through glass of the index of air.
     let sheet = |y: f32| thing(Plane::through(y * Vec3::Y, Dir3::Y), WHITE);
-    let film = thing(Plane::through(Vec3::Y, Dir3::Y), Glass::of(Medium::AIR));
-    let scene = Scene::new(vec![sheet(0.0), film], vec![Box::new(lamp())]);
+    let scene = Scene::new(vec![sheet(0.0), film(1.0)], vec![Box::new(lamp())]);
     let photons = Photons::shot(&scene, 20_000, 0.2, 0);
     let look = |from: Vec3, toward: Dir3| {
         let seen = scene.closest(&Ray::new(from, toward)).expect("a sheet");

@@ -18,6 +18,7 @@ pub mod caustics;
 pub mod clamped;
 pub mod cone;
 pub mod curved;
+mod disc;
 pub mod film;
 pub mod followed;
 mod gather;

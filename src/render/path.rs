@@ -99,7 +99,7 @@ impl Path {
                 sum.rays += direct.rays;
                 if let Some(photons) = photons {
                     let most = self.depth - surfaces;
-                    caustics += weight * photons.reflected(&seen, view, most);
+                    caustics += weight * photons.reflected(scene, &seen, view, most);
                 }
             }
             let Some(next) = lobes.sample(&seen, view, rng) else {

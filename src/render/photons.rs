@@ -19,6 +19,7 @@ use crate::image::rgb::Rgb;
 use crate::light::{Emitted, Light};
 use crate::material::glass::Medium;
 use crate::math::{dir3::Dir3, pcg, ray::Ray, whole::below};
+use crate::render::disc::{ALIKE, Disc, THICKNESS};
 use crate::render::{lobes::Lobes, path::roulette};
 use crate::sample::even::Even;
 use crate::scene::world::{Scene, Seen};
@@ -37,13 +38,6 @@ const TOGETHER: usize = 1 << 16;
 /// cell that do not light it.
 const WIDTH: f32 = 4.0;
 
-/// Maximum height of a photon over the surface that it lights, as a part of the radius.
-const THICKNESS: f32 = 0.25;
-
-/// Minimum cosine between the normals of a photon and of the surface that it lights: behind a thin wall, and on the other wall of a
-/// corner, are the photons of other surfaces.
-const ALIKE: f32 = 0.8;
-
 /// The last part of the way of a photon, seen backwards, that may not hold a lamp: the photon has come from a lamp there.
 const BEFORE_LIGHT: f32 = 1e-4;
 
@@ -60,6 +54,9 @@ pub struct Photon {
     pub power: Rgb,
     /// Number of mirrors and surfaces of glass that it has met on its way.
     pub surfaces: u32,
+    /// Whether the surface ends within twice the radius within which it lights points. If not, it goes on for a radius around each of
+    /// these points.
+    pub near_edge: bool,
 }
 
 /// Photons that have come from the lights by mirrors and through glass, and by no other surfaces, to surfaces that scatter light (Jensen,
@@ -104,7 +101,7 @@ impl Photons {
             for first in (0..count).step_by(TOGETHER) {
                 let photons = threads::list(TOGETHER.min(count - first), |i| {
                     let mut numbers = Even::new(key, first + i, count);
-                    landing(scene, &**light, &mut numbers)
+                    landing(scene, &**light, radius, &mut numbers)
                 });
                 landed.extend(photons.into_iter().flatten());
             }
@@ -150,19 +147,22 @@ impl Photons {
     }
 
     // ANCHOR: reflected
-    /// The radiance that a surface reflects to the viewer of the light that the photons bring: Σ f Φ K(d) over the photons around it.
+    /// The radiance that a surface reflects to the viewer of the light that the photons bring: Σ f Φ K(d)/F over the photons around it.
     ///
     /// K(d) = 2/(π r²)·(1 − d²/r²), in 1/m², is the density with which a photon's power is spread over the surface, at the distance d from
     /// where it has landed (Epanechnikov's kernel). The integral of K over the disc with the radius r is 1: no power is lost. Only photons
     /// count that have landed in a thin disc around the point, on the same side, after at most `most` mirrors and surfaces of glass. The
-    /// light is blurred by r. Within r of a surface's edge it is too dark, because a part of the disc is beside the surface.
-    pub fn reflected(&self, seen: &Seen, view: Dir3, most: u32) -> Rgb {
+    /// light is blurred by r.
+    ///
+    /// F is the integral of K over the part of the disc that lies on the surface: no photon can land on the rest. It is 1, but near an
+    /// edge of the surface: if all these photons are, a few rays in the `scene` estimate F.
+    pub fn reflected(&self, scene: &Scene, seen: &Seen, view: Dir3, most: u32) -> Rgb {
         if self.landed.is_empty() {
             return Rgb::BLACK;
         }
         let (at, r) = (&seen.surface, self.radius);
         let normal = facing(at.normal, view);
-        let mut sum = Rgb::BLACK;
+        let (mut sum, mut near_edge) = (Rgb::BLACK, true);
         for cell in self.cells_around(at.position) {
             for photon in self.sharing(cell) {
                 let apart = photon.position - at.position;
@@ -176,8 +176,12 @@ impl Photons {
                 {
                     let f = seen.material.eval(at, view, photon.toward);
                     sum += f * photon.power * (1.0 - squared / (r * r));
+                    near_edge &= photon.near_edge;
                 }
             }
+        }
+        if near_edge && sum != Rgb::BLACK {
+            sum = sum / Disc::new(scene, at, normal, r).part();
         }
         sum * (2.0 / (PI * r * r))
     }
@@ -241,12 +245,13 @@ fn emits(light: &dyn Light) -> bool {
 }
 
 // ANCHOR: landing
-/// A photon of this light where it lands, with the power of the whole light; `None` if it lands nowhere, or has met no mirror or glass.
+/// A photon of this light where it lands, with the power of the whole light; `None` if it lands nowhere, or has met no mirror or glass. It is
+/// to light points within the `radius`.
 ///
 /// A photon goes the way of a path, backwards: where a path counts the light that goes from one lamp by delta lobes to a surface, the
 /// photons bring it. The lamp is in air, as [`Glass`](crate::material::glass::Glass) assumes. At a surface that scatters and also has
 /// delta lobes, chance decides whether the photon lands or goes on.
-fn landing(scene: &Scene, light: &dyn Light, numbers: &mut Even) -> Option<Photon> {
+fn landing(scene: &Scene, light: &dyn Light, radius: f32, numbers: &mut Even) -> Option<Photon> {
     let Emitted { mut ray, power } = light.emit(numbers.pair(), numbers.pair())?;
     let (mut weight, mut medium, mut surfaces) = (Rgb::WHITE, Medium::AIR, 0);
     loop {
@@ -262,13 +267,15 @@ fn landing(scene: &Scene, light: &dyn Light, numbers: &mut Even) -> Option<Photo
             return None;
         }
         let Some(next) = next else {
-            let narrowing = medium.index * medium.index;
+            let (at, narrowing) = (&seen.surface, medium.index * medium.index);
+            let normal = facing(at.normal, toward);
             return Some(Photon {
-                position: seen.surface.position,
+                position: at.position,
                 toward,
-                normal: facing(seen.surface.normal, toward),
+                normal,
                 power: power * weight / (lobes.to_scatter() * narrowing),
                 surfaces,
+                near_edge: Disc::new(scene, at, normal, radius).is_near_edge(),
             });
         };
         weight = weight * next.weight;

@@ -11,7 +11,7 @@ use raybook::math::{dir3::Dir3, pcg, ray::Ray};
 use raybook::render::photons::Photons;
 use raybook::render::{caustics::Caustics, cone::Cone, path::Path, sampler::Integrator};
 use raybook::scene::world::{Scene, Thing};
-use raybook::shape::{plane::Plane, sphere::Sphere};
+use raybook::shape::{cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 use raybook_common::statistics::Mean;
 use std::f32::consts::PI;
 
@@ -141,7 +141,7 @@ fn film(height: f32) -> Thing {
 fn irradiance(scene: &Scene, photons: &Photons, above: Vec3) -> f32 {
     let down = Ray::new(above, -Dir3::Y);
     let seen = scene.closest(&down).expect("a surface");
-    PI * photons.reflected(&seen, Dir3::Y, u32::MAX).r
+    PI * photons.reflected(scene, &seen, Dir3::Y, u32::MAX).r
 }
 
 #[test]
@@ -164,6 +164,88 @@ fn photons_of_a_point_light_bring_its_irradiance_through_a_clear_surface() {
         assert!(
             (brought / direct - 1.0).abs() < 0.01,
             "around {x}, {z}: {brought} by photons, {direct} by direct light"
+        );
+    }
+}
+
+/// A lit place on a thing: name, things, place, the direction in which its neighbours are alike, and by which part the light may be off.
+type Place = (&'static str, Vec<Thing>, Vec3, Vec3, f32);
+
+/// Places near edges, where photons light points within `radius`. The first edge is at x = 0.4 m.
+fn places_near_edges(radius: f32) -> Vec<Place> {
+    let facet = |a, b, c| Thing::new(Triangle::new(a, b, c), WHITE);
+    let glass = |a, b, c| Thing::new(Triangle::new(a, b, c), Glass::of(Medium::GLASS));
+    let (x, z) = (0.4 * Vec3::X, 0.4 * Vec3::Z);
+    let floor = || thing(Plane::through(Vec3::ZERO, Dir3::Y), WHITE);
+    let beside = |radii: f32| vec3(0.4 - radii * radius, 0.0, 0.0);
+    let corner = |radii: f32| vec3(0.4 - radii * radius, 0.0, 0.4 - radii * radius);
+    let plate = || vec![facet(-x - z, x - z, x + z), facet(-x - z, x + z, z - x)];
+    let tile = || [plate(), vec![glass(x - z, 5.0 * x - z, x + z)]].concat();
+    let block = Cuboid::between(vec3(0.4, 0.0, -1.0), vec3(1.0, 1.0, 1.0));
+    let ball = Sphere::new(-4.0 * radius * Vec3::Y, 4.0 * radius);
+    let along = Vec3::Z;
+    vec![
+        ("at a plate's edge", plate(), beside(0.02), along, 0.03),
+        ("near its edge", plate(), beside(0.3), along, 0.03),
+        ("further from it", plate(), beside(0.8), along, 0.03),
+        ("at its corner", plate(), corner(0.02), Vec3::ZERO, 0.08),
+        ("near its corner", plate(), corner(0.3), Vec3::ZERO, 0.04),
+        ("a tile beside glass", tile(), beside(0.1), along, 0.03),
+        (
+            "the foot of a wall",
+            vec![floor(), thing(Plane::through(x, -Dir3::X), WHITE)],
+            beside(0.1),
+            along,
+            0.03,
+        ),
+        (
+            "the foot of a block",
+            vec![floor(), thing(block, WHITE)],
+            beside(0.1),
+            along,
+            0.03,
+        ),
+        (
+            "a floor in shallow water",
+            vec![floor(), film(0.05 * radius)],
+            beside(0.1),
+            along,
+            0.03,
+        ),
+        (
+            "the top of a small ball",
+            vec![thing(ball, WHITE)],
+            Vec3::ZERO,
+            Vec3::ZERO,
+            0.04,
+        ),
+    ]
+}
+
+#[test]
+fn photons_bring_as_much_light_near_an_edge_as_elsewhere() {
+    const RADIUS: f32 = 0.1;
+    for (name, things, place, along, off) in places_near_edges(RADIUS) {
+        // Straight above, so that there is as much light on one side of the place as on the other.
+        let lamp = point(place + Vec3::Y);
+        let things = [things, vec![film(0.5)]].concat();
+        let scene = Scene::new(things, vec![Box::new(lamp)]);
+        let (mut brought, mut direct) = (0.0, 0.0);
+        let seeds = if along == Vec3::ZERO { 8 } else { 2 };
+        for seed in 0..seeds {
+            let photons = Photons::shot(&scene, 300_000, RADIUS, seed);
+            for i in -100..=100 {
+                // A little aside too: the rays that look for the edge are others.
+                let at = place + 1e-3 * i as f32 * along - 1e-6 * i as f32 * Vec3::X;
+                brought += irradiance(&scene, &photons, at + 0.004 * Vec3::Y);
+                let sample = lamp.sample(at, Vec2::ZERO).expect("it shines");
+                direct += sample.arriving.r * sample.toward.y;
+            }
+        }
+        println!("{name}: {:.3} of the light", brought / direct);
+        assert!(
+            (brought / direct - 1.0).abs() < off,
+            "{name}: {brought} by photons, {direct} by direct light"
         );
     }
 }
@@ -396,7 +478,7 @@ fn photons_light_their_own_side_only() {
     let photons = Photons::shot(&scene, 20_000, 0.2, 0);
     let look = |from: Vec3, toward: Dir3| {
         let seen = scene.closest(&Ray::new(from, toward)).expect("a sheet");
-        photons.reflected(&seen, -toward, u32::MAX).r
+        photons.reflected(&scene, &seen, -toward, u32::MAX).r
     };
     assert!(look(0.5 * Vec3::Y, -Dir3::Y) > 0.1, "the lit side");
     assert_eq!(look(-0.5 * Vec3::Y, Dir3::Y), 0.0, "the dark side");

@@ -1,12 +1,12 @@
 //! Whatever a mesh is, a structure over it takes at most 500 bytes a triangle, also while it is built, and time in proportion to
 //! N log N.
 
-use glam::{Vec3, vec3};
+use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;
 use raybook::accel::bvh::{Bvh, build::Method};
-use raybook::accel::{
-    Accel, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid, wide_bvh::WideBvh,
-};
+use raybook::accel::octree::{Octree, build::Limits, reach};
+use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
+use raybook::accel::{Accel, grid::Grid, list::List, wide_bvh::WideBvh};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook_common::counting::peak;
@@ -261,4 +261,92 @@ fn wide_bvh() {
     }
     println!("cut");
     bounded(raybook::inside::wide_bvh::cut, WideBvh::bytes);
+}
+
+/// Builds a structure over shapes in the same place; asserts what it takes, in bytes a triangle and beside that.
+fn takes_at_most<A>(
+    name: &str,
+    [each, beside]: [usize; 2],
+    build: impl FnOnce(Vec<Facet>) -> A + Send,
+    bytes: impl Fn(&A) -> usize,
+) where
+    A: Send,
+{
+    const N: u32 = 2000;
+    let (_, facets) = meshes(N).swap_remove(0);
+    let (peak, accel) = alone(|| peak(|| build(facets)));
+    let (stays, most) = (bytes(&accel), each * N as usize + beside);
+    println!("{name:50} {stays:10} bytes, {peak:10} while it is built");
+    assert!(
+        stays <= most,
+        "{name}: {stays} bytes, and {most} are allowed"
+    );
+    // Lists double while they grow, and are copied into their last place.
+    assert!(
+        peak <= 5 * most,
+        "{name}: {peak} bytes while it is built, and {most} are to stay"
+    );
+}
+
+#[test]
+fn an_octree_with_any_limits() {
+    // Names of 4 bytes, nodes of 8, and a facet.
+    let most = [4 * Limits::MOST_COPIES as usize + 16 * 8 + 40, 8 * 4096];
+    for opening in [f32::NEG_INFINITY, -1.0, 0.0, f32::NAN] {
+        for copies in [f32::INFINITY, f32::MAX, 1e3, 0.0, f32::NAN] {
+            for depth in [0, 16, u32::MAX] {
+                let limits = Limits {
+                    opening,
+                    copies,
+                    depth,
+                };
+                let name = format!("opening {opening}, {copies} copies, depth {depth}");
+                let build = |facets| Octree::with(facets, limits, reach::by_bounds);
+                takes_at_most(&name, most, build, Octree::bytes);
+            }
+        }
+    }
+}
+
+#[test]
+fn an_ordinary_octree_needs_far_fewer_copies_than_the_most() {
+    let facets = raybook::scene::soup::soup(3000, 1).facets();
+    let of = |copies| {
+        let limits = Limits {
+            copies,
+            ..Limits::USUAL
+        };
+        let octree = Octree::with(facets.clone(), limits, reach::by_triangle);
+        octree.bytes()
+    };
+    assert_eq!(of(f32::INFINITY), of(100.0));
+}
+
+/// The most that a grid takes whose cells the caller chooses, in bytes.
+const WISH: usize = 1 << 28;
+
+#[test]
+fn a_grid_of_any_resolution() {
+    for resolution in [UVec3::ZERO, UVec3::MAX, UVec3::new(u32::MAX, 1, 0)] {
+        let name = format!("a grid of {resolution} cells");
+        let build = |facets| Grid::with_resolution(facets, resolution);
+        takes_at_most(&name, [48, WISH], build, Grid::bytes);
+    }
+}
+
+#[test]
+fn a_two_level_grid_of_any_densities() {
+    const MOST: f32 = f32::INFINITY;
+    for [coarse, fine] in [
+        [MOST, MOST],
+        [MOST, 0.0],
+        [0.0, MOST],
+        [f32::MAX, 1e6],
+        [-1.0, -1.0],
+        [f32::NAN, f32::NAN],
+    ] {
+        let name = format!("a two-level grid, {coarse} and {fine}");
+        let build = |facets| TwoLevelGrid::of_facets_with(facets, Densities { coarse, fine });
+        takes_at_most(&name, [48, 2 * WISH], build, TwoLevelGrid::bytes);
+    }
 }

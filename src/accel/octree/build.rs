@@ -16,7 +16,7 @@ use crate::math::aabb::Aabb;
 pub struct Limits {
     /// The cost of opening a node; the unit is the test of one shape.
     pub opening: f32,
-    /// Maximum number of leaves that name a shape, on average over the shapes: the bound on memory.
+    /// Maximum number of leaves that name a shape, on average over the shapes: the bound on memory. Each takes 4 bytes.
     pub copies: f32,
     /// Maximum depth: the number of cuts between the root and a leaf.
     pub depth: u32,
@@ -25,6 +25,10 @@ pub struct Limits {
 impl Limits {
     /// The largest [`Limits::depth`] that a walk can follow: cells down to 1/65,536 of the root's side.
     pub const DEEPEST: u32 = 16;
+
+    /// The largest [`Limits::copies`]: 2 kB per shape. Without a limit, N shapes in the same place take O(N²) of memory, if cutting costs
+    /// nothing: 20,000 would take 23 GB.
+    pub const MOST_COPIES: f32 = 512.0;
 
     /// Measured on this course's scenes: a cost of opening from 1 to 3 makes little difference, and up to 8 copies per shape pay.
     pub const USUAL: Self = Self {

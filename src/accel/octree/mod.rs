@@ -41,11 +41,12 @@ impl<S: Shape> Octree<S> {
     }
 
     /// An octree with these limits; `reached` returns which of eight cells a shape reaches, one bit each. A depth above
-    /// [`Limits::DEEPEST`] counts as that.
+    /// [`Limits::DEEPEST`] counts as that, and copies above [`Limits::MOST_COPIES`], or a NaN, as those.
     pub fn with(shapes: Vec<S>, limits: Limits, reached: impl Fn(&S, &[Aabb; 8]) -> u8) -> Self {
         let (mut shapes, unbounded) = bounded(shapes);
         let limits = Limits {
             depth: limits.depth.min(Limits::DEEPEST),
+            copies: limits.copies.min(Limits::MOST_COPIES), // which is not the NaN
             ..limits
         };
         let mut tree = build(

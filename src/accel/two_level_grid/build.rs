@@ -37,7 +37,7 @@ pub struct Parts<S> {
     pub references: Vec<u32>,
 }
 
-/// λ, the number of cells per shape, for both levels.
+/// λ, the number of cells per shape, for both levels. A number below 0 or a NaN gives one cell.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Densities {
     /// Coarse cells per shape.
@@ -60,7 +60,7 @@ impl Densities {
 /// If the work or the memory exceeds the budget, both densities are lowered until it does not; at last there is a single cell.
 pub(crate) fn build<S: Shape>(
     mut shapes: Vec<S>,
-    mut densities: Densities,
+    densities: Densities,
     budget: Budget,
     cells_of: impl Fn(&Lattice, f32, &S) -> Vec<UVec3>,
 ) -> Parts<S> {
@@ -73,6 +73,12 @@ pub(crate) fn build<S: Shape>(
         |shape: u32, lattice: &Lattice| cells_of(lattice, margin, &shapes[shape as usize]);
     // No coarse cell is smaller than the margin.
     let most = (bounds.size() / margin).as_uvec3();
+    // ∞ could not be lowered.
+    let finite = |density: f32| density.clamp(0.0, f32::MAX);
+    let mut densities = Densities {
+        coarse: finite(densities.coarse),
+        fine: finite(densities.fine),
+    };
     let (levels, starts, mut references) = loop {
         let resolution = grid_resolution(bounds.size(), shapes.len(), densities.coarse);
         let top = Lattice::new(&grown, resolution.min(most));

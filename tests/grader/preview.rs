@@ -1,7 +1,7 @@
 //! `raybook render --preview`: the picture gets better, is drawn again when the file is saved, and stays when the file is wrong.
 
 use crate::common::command::raybook;
-use crate::render::{SCENE, folder};
+use crate::render::{REMARK, SCENE, folder, folder_with_remark};
 use raybook::image::{Image, file};
 use serde_json::Value;
 use std::fs;
@@ -120,6 +120,27 @@ fn a_saved_file_is_drawn_again_at_once_and_a_wrong_one_leaves_the_picture() {
     assert!(after > stayed, "{stayed} pictures, then {after}");
     let shown = picture(folder.path(), &preview.get("picture.png"));
     assert_eq!((shown.width(), shown.height()), (30, 10));
+}
+
+#[test]
+fn a_preview_shows_what_a_models_files_have_and_the_picture_has_not() {
+    let folder = folder_with_remark();
+    let preview = Preview::start(folder.path());
+    preview.wait_for("says", "wrote out.png");
+    preview.wait_for("remarks", REMARK);
+    let page = String::from_utf8(preview.get("")).expect("text");
+    assert!(page.contains("id=\"remarks\""), "{page}");
+    // A scene without the model has no remark.
+    fs::write(folder.path().join("scene.toml"), SCENE).expect("written");
+    let deadline = Instant::now() + Duration::from_secs(300);
+    loop {
+        let state: Value = serde_json::from_slice(&preview.get("state.json")).expect("JSON");
+        if state["remarks"] == "" {
+            break;
+        }
+        assert!(Instant::now() < deadline, "the remark goes: {state}");
+        sleep(Duration::from_millis(20));
+    }
 }
 
 #[test]

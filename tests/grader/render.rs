@@ -16,6 +16,23 @@ pub(crate) fn folder(scene: &str) -> tempfile::TempDir {
     folder
 }
 
+/// What is said of the model in [`folder_with_remark`].
+pub(crate) const REMARK: &str =
+    "remark: a.mtl: not used: `bump`; bumps must be a normal map, which `norm` names";
+
+/// A scene with a model, of whose files not all is used.
+pub(crate) fn folder_with_remark() -> tempfile::TempDir {
+    let folder = folder(&format!(
+        "{SCENE}[[shapes]]\nkind = \"mesh\"\nfile = \"a.obj\"\n"
+    ));
+    let triangle = "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n";
+    let material = "newmtl a\nbump heights.png\n";
+    for (name, text) in [("a.obj", triangle), ("a.mtl", material)] {
+        fs::write(folder.path().join(name), text).expect("written");
+    }
+    folder
+}
+
 fn files(folder: &Path) -> Vec<String> {
     let entries = folder.read_dir().expect("the folder");
     let names = entries.map(|entry| entry.expect("an entry").file_name());
@@ -70,22 +87,12 @@ fn a_scene_file_becomes_a_picture_and_the_number_of_threads_is_no_matter() {
 
 #[test]
 fn what_a_models_files_have_and_the_picture_has_not_is_remarked() {
-    let folder = folder(&format!(
-        "{SCENE}[[shapes]]\nkind = \"mesh\"\nfile = \"a.obj\"\n"
-    ));
-    for (name, text) in [
-        (
-            "a.obj",
-            "mtllib a.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl a\nf 1 2 3\n",
-        ),
-        ("a.mtl", "newmtl a\nbump heights.png\n"),
-    ] {
-        fs::write(folder.path().join(name), text).expect("written");
-    }
+    let folder = folder_with_remark();
     let (code, said) = raybook(folder.path(), &["render", "scene.toml"]);
-    let remark =
-        "remark: a.mtl: not used: `bump`; bumps must be a normal map, which `norm` names\n";
-    assert!(code == 0 && said.contains(remark), "{code} {said}");
+    assert!(
+        code == 0 && said.contains(&format!("{REMARK}\n")),
+        "{code} {said}"
+    );
 }
 
 #[test]

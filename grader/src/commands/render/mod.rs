@@ -62,6 +62,7 @@ impl Render {
             return preview::run(self, view);
         }
         let shot = self.load()?;
+        remarks(&shot).iter().for_each(complain);
         let (bar, rays) = (progress_bar(), AtomicU64::new(0));
         bar.set_prefix("render");
         bar.set_length((shot.picture.width * shot.picture.height) as u64);
@@ -78,13 +79,9 @@ impl Render {
         Ok(true)
     }
 
-    /// The scene; remarks about its files are said.
+    /// The scene.
     fn load(&self) -> Result<Shot, TextError> {
-        let shot = raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))?;
-        for remark in &shot.remarks {
-            complain(format_args!("remark: {}", Untrusted::from(&**remark)));
-        }
-        Ok(shot)
+        raybook_scenes::load(&self.scene, self.width.map(|width| width as usize))
     }
 
     /// Samples per pixel.
@@ -120,4 +117,10 @@ impl Render {
             rays as f64 / 1e6,
         ))
     }
+}
+
+/// What is to be said of the scene's files.
+fn remarks(shot: &Shot) -> Vec<String> {
+    let remark = |remark: &String| format!("remark: {}", Untrusted::from(&**remark));
+    shot.remarks.iter().map(remark).collect()
 }

@@ -1,5 +1,5 @@
 // Asks whether there is a better picture, and shows each as large as the last one will be.
-const [picture, says, error] = ["picture", "says", "error"].map(id => document.getElementById(id));
+const [picture, says, remarks, error] = ["picture", "says", "remarks", "error"].map(id => document.getElementById(id));
 let number = 0;
 
 async function renew() {
@@ -12,6 +12,8 @@ async function renew() {
       says.textContent = state.says;
     }
     number = state.number;
+    remarks.textContent = state.remarks;
+    remarks.hidden = !state.remarks;
     error.textContent = state.error ?? "";
     error.hidden = !state.error;
     picture.classList.toggle("old", Boolean(state.error));

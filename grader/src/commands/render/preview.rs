@@ -1,11 +1,10 @@
 //! `raybook render --preview`: the picture while it becomes better, and again whenever the scene file is saved.
 
-use super::{Render, View};
+use super::{Render, View, remarks};
 use crate::commands::Done;
 use raybook::image::{Image, file};
 use raybook::render::film;
-use raybook_chapters::kit::say::say;
-use raybook_chapters::kit::say::{error_text, report};
+use raybook_chapters::kit::say::{complain, error_text, report, say};
 use raybook_chapters::kit::terminal;
 use raybook_grader::keys::{self, Pressed};
 use raybook_grader::mutex::lock;
@@ -45,6 +44,8 @@ struct Shown {
     width: usize,
     /// What is to be said of the picture.
     says: String,
+    /// What is to be said of the scene's files.
+    remarks: Vec<String>,
     /// What is wrong with the scene.
     error: Option<String>,
 }
@@ -136,6 +137,9 @@ impl Easel<'_> {
     /// Draws the scene as the file is now: coarse, then better and better, and at last the picture that is written.
     fn draw(&self, stopped: &AtomicBool) -> Result<(), Box<dyn Error>> {
         let shot = self.render.load()?;
+        if self.view == View::Page {
+            remarks(&shot).iter().for_each(complain);
+        }
         let all = self.render.samples(&shot);
         let coarse = [(COARSE, 1)].into_iter().filter(|_| all > 1);
         let finer = (0..).map(|i| (1, MORE.pow(i)));
@@ -185,6 +189,8 @@ impl Easel<'_> {
             say("\x1b[H\x1b[2J");
             terminal::print(picture)?;
             say(format!("{says}. {}", how_on()));
+            // The picture has wiped away what was said before.
+            remarks(shot).iter().for_each(complain);
             return Ok(());
         }
         let png = file::to_png(picture)?;
@@ -195,6 +201,7 @@ impl Easel<'_> {
             number,
             width: shot.picture.width,
             says,
+            remarks: remarks(shot),
             error: None,
         };
         Ok(())
@@ -225,10 +232,13 @@ fn answer(shown: &Shown, request: &Request) -> Answer {
                 number,
                 width,
                 says,
+                remarks,
                 error,
                 ..
             } = shown;
-            Answer::json(&json!({ "number": number, "width": width, "says": says, "error": error }))
+            Answer::json(
+                &json!({ "number": number, "width": width, "says": says, "remarks": remarks.join("\n"), "error": error }),
+            )
         }
         "picture.png" if shown.number > 0 => Answer::png(shown.png.clone()),
         _ => Answer::unknown(),

@@ -128,7 +128,7 @@ fn a_hit_behind_the_point_is_told_before_what_can_be_seen() {
 }
 
 #[test]
-fn a_slip_that_misses_the_light_is_told_before_what_can_be_seen() {
+fn a_mistake_that_misses_the_light_is_told_before_what_can_be_seen() {
     let found = diagnosed("sample_sphere_light", |q| {
         let [at, center] = [&q[..3], &q[3..6]].map(DVec3::from_slice);
         let (way, radius, n) = (center - at, q[6], q[8]);
@@ -156,9 +156,8 @@ fn a_slip_that_misses_the_light_is_told_before_what_can_be_seen() {
         }
         Some(answer)
     });
-    let told =
-        "goes wrong at the step “sin² of the cone's half angle, (r/d)²”: takes the square root";
-    assert!(found.name.starts_with(told), "{found:?}");
+    let told = "forgets to square the radius over the distance for the cosine of the cone";
+    assert_eq!((&*found.name, found.certain), (told, true), "{found:?}");
 }
 
 #[test]

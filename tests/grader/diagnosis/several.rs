@@ -246,8 +246,11 @@ fn in_degrees(q: &[f64], limit: f64) -> Vec<f64> {
 #[test]
 fn a_branch_that_begins_too_late_and_a_unit_are_told_together() {
     let found = diagnosed("deflection_angle", |q| Some(in_degrees(q, 3.0)));
-    let both = ["lets rays fall in up to b = 3", "returns degrees"];
-    assert_eq!(both_of(&found), both);
+    let told: Vec<_> = [&found].into_iter().chain(&found.also).collect();
+    let names: Vec<_> = told.iter().map(|one| &*one.name).collect();
+    let both = ["returns degrees", "lets rays fall in up to b = 3"];
+    assert_eq!(names, both);
+    assert!(told.iter().all(|one| one.certain), "{found:?}");
 }
 
 #[test]

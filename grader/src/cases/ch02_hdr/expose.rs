@@ -164,11 +164,6 @@ impl Graded for Expose {
             hint: "By what factor does one stop change the light?",
             answer: |q| q.radiance * 10_f32.powf(0.1 * q.stops),
         },
-        Mistake {
-            name: "takes e to the power of stops · log₁₀ 2: a logarithm to base 10 for the natural one",
-            hint: "Which logarithm belongs to the power of e, and what is the name of that one in your language?",
-            answer: |q| q.radiance * (q.stops * 2.0_f32.log10()).exp(),
-        },
     ];
 }
 

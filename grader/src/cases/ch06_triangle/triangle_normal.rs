@@ -5,6 +5,12 @@ use glam::{Vec3, Vec3Swizzles, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch06_triangle::TriangleNormal;
 
+/// The cross product of the edges from a corner to the two others, each of which is brought to length 1.
+fn of_unit_edges(q: &TriangleNormal, corner: Vec3, others: [Vec3; 2]) -> Option<Vec3> {
+    let [one, other] = others.map(|other| (other - corner).normalize_or_zero());
+    TriangleNormal::right(q).map(|_| one.cross(other))
+}
+
 impl Graded for TriangleNormal {
     fn random(rng: &mut Pcg) -> TriangleNormal {
         let [p0, p1, p2] = std::array::from_fn(|_| sample::point(rng, 4.0));
@@ -81,10 +87,7 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "normalises the edges, and not their cross product",
             hint: "How long is the cross product of two unit vectors that are not perpendicular?",
-            answer: |q| {
-                let [e1, e2] = [q.p1 - q.p0, q.p2 - q.p0].map(Vec3::normalize_or_zero);
-                TriangleNormal::right(q).map(|_| e1.cross(e2))
-            },
+            answer: |q| of_unit_edges(q, q.p0, [q.p1, q.p2]),
         },
         Mistake {
             name: "crosses the first corner and the second, not two edges",
@@ -158,18 +161,12 @@ impl Graded for TriangleNormal {
         Mistake {
             name: "normalises the edges at the second corner, and not their cross product",
             hint: "How long is the cross product of two unit vectors that are not perpendicular?",
-            answer: |q| {
-                let [e1, e2] = [q.p2 - q.p1, q.p0 - q.p1].map(Vec3::normalize_or_zero);
-                TriangleNormal::right(q).map(|_| e1.cross(e2))
-            },
+            answer: |q| of_unit_edges(q, q.p1, [q.p2, q.p0]),
         },
         Mistake {
             name: "normalises the edges at the third corner, and not their cross product",
             hint: "How long is the cross product of two unit vectors that are not perpendicular?",
-            answer: |q| {
-                let [e1, e2] = [q.p0 - q.p2, q.p1 - q.p2].map(Vec3::normalize_or_zero);
-                TriangleNormal::right(q).map(|_| e1.cross(e2))
-            },
+            answer: |q| of_unit_edges(q, q.p2, [q.p0, q.p1]),
         },
     ];
 }

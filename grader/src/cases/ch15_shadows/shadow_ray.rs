@@ -439,10 +439,5 @@ impl Graded for ShadowRay {
             hint: "The ray's direction has length 1: at which t is the light?",
             answer: |q| ending(q, 0.99),
         },
-        Mistake {
-            name: "ends the interval at 0.999, wherever the light is",
-            hint: "The ray's direction has length 1: at which t is the light?",
-            answer: |q| ending(q, 0.999),
-        },
     ];
 }

@@ -196,11 +196,6 @@ impl Graded for DirectionToLatlong {
                 vec2(phi / (2.0 * PI as f32), Self::right(q).y)
             },
         },
-        Mistake {
-            name: "divides the angle from +y by 2π",
-            hint: "How large can the angle from +y get? What is v for a direction straight down?",
-            answer: |q| Self::right(q) * vec2(1.0, 0.5),
-        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

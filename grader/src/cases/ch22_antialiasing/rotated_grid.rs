@@ -349,14 +349,9 @@ impl Graded for RotatedGrid {
             answer: |q| inside(lattice(q, |p| Vec2::from_angle(-26.565).rotate(p))),
         },
         Mistake {
-            name: "rotates by (1, ½) without dividing by the length of that",
-            hint: "How long is the vector (1, ½)? Are your points as far apart as asked?",
-            answer: |q| inside(lattice(q, |p| turned(p, 1.0) * 1.25_f32.sqrt())),
-        },
-        Mistake {
-            name: "rotates by (1, ½) without dividing by the length of that (in a lattice turned clockwise)",
-            hint: "How long is the vector (1, ½)? Are your points as far apart as asked?",
-            answer: |q| inside(lattice(q, |p| turned(p, -1.0) * 1.25_f32.sqrt())),
+            name: "rotates without the root of 5 (in a lattice turned clockwise)",
+            hint: "A right triangle has the sides 2 and 1: how long is its third side? Are your points as far apart as asked?",
+            answer: |q| inside(lattice(q, |p| turned(p, -1.0) * 5.0_f32.sqrt() / 2.0)),
         },
     ];
 }

@@ -465,7 +465,7 @@ impl Graded for SpendBudget {
             hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
             answer: |q| {
                 Self::misread(q, |q| {
-                    q.deviations.iter_mut().for_each(|d| *d = d.powf(2.0 / 3.0))
+                    q.deviations.iter_mut().for_each(|d| *d = d.powf(2.0 / 3.0));
                 })
             },
         },

@@ -6,6 +6,7 @@
 mod suspects;
 
 use super::evidence::Evidence;
+use super::search::called;
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::layout::{layout, parts};
@@ -39,6 +40,12 @@ const VARIED: usize = 4;
 
 /// Wrong answers that a second mistake explains by chance.
 const BY_CHANCE: usize = 1;
+
+/// Tries of moving a question's last digits.
+const BESIDE: usize = 4;
+
+/// By how much they are moved at most, as a share of the question's largest number.
+const LAST_DIGITS: f64 = 1e-6;
 
 /// Rounds of random cases that are asked where answers are compared by their traits.
 const ROUNDS: usize = 3;
@@ -206,7 +213,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     let mut cases = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
         let question = match explained.get(i / 2 % explained.len().max(1)) {
-            Some(wrong) if i % 2 == 1 => near(examiner, wrong, rng),
+            Some(wrong) if i % 2 == 1 => near(wrong, rng),
             _ => examiner.random(rng),
         };
         if !examiner.is_sound(&question) {
@@ -224,7 +231,10 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
         let is_wanted = !shows || tells || shown < least;
-        if !is_wanted || !is_stable(examiner, &question, rng) {
+        let is_fair = |rng: &mut Pcg| {
+            is_stable(examiner, &question, rng) && is_settled(examiner, &question, rng)
+        };
+        if !is_wanted || !is_fair(rng) {
             continue;
         }
         if shows {
@@ -244,16 +254,43 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     cases
 }
 
-/// A question whose numbers are a fifth larger or smaller at most, but for counts: what is decided by round numbers, as of a ray between two
-/// cells, is not asked again.
-fn near(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+/// A question whose numbers are a fifth larger or smaller at most, but for whole ones.
+fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+    let moved = question.iter().map(|v| {
+        if v.is_finite() && v.fract() != 0.0 {
+            f64::from((v * rng.random_range(0.8..1.2)) as f32)
+        } else {
+            *v
+        }
+    });
+    moved.collect()
+}
+
+/// Whether the right answer stays right if the question's round numbers, too, differ in their last digits: not where a ray runs between two
+/// cells, and rounding decides through which of them it goes.
+fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool {
+    let answer = |question: &[f64]| called(examiner.asked(), question);
+    let golden = answer(question);
+    let is_right = |golden: &[f64], answer: &[f64]| examiner.compare(question, golden, answer);
+    (0..BESIDE).all(|_| {
+        let both = golden
+            .as_ref()
+            .zip(answer(&beside(examiner, question, rng)));
+        both.is_some_and(|(golden, answer)| is_right(golden, &answer).is_ok())
+    })
+}
+
+/// A question whose numbers, but for counts and infinite ones, differ from those of this one in their last digits.
+fn beside(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     let kind = examiner.asked().question;
     let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
+    let sizes = question.iter().filter(|v| v.is_finite());
+    let size = sizes.fold(0.0, |size: f64, v| size.max(v.abs()));
     let mut moved = question.to_vec();
     let leaves = layout(kind, question).leaves.into_iter();
     for leaf in leaves.filter(|leaf| !matches!(kinds[leaf.part], Kind::Whole)) {
         for v in &mut moved[leaf.range()] {
-            *v = f64::from((*v * rng.random_range(0.8..1.2)) as f32);
+            *v = f64::from((*v + size * LAST_DIGITS * rng.random_range(-1.0..1.0)) as f32);
         }
     }
     moved

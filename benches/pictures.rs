@@ -74,7 +74,8 @@ fn boxes(criterion: &mut Criterion) {
     bench(criterion, "glass ball", &camera, &balls.scene);
 }
 
-/// Hundreds of balls through a lens, under a round sun: a tree of spheres, and materials that take turns.
+/// Hundreds of balls through a lens, under a round sun: a tree of spheres, and materials that take turns. It stays as it is, unlike the
+/// example, so that figures can be compared.
 fn many_balls(criterion: &mut Criterion) {
     let mut random = pcg::stream(7, 0);
     let mut things = vec![floor()];

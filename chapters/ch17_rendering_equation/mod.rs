@@ -2,7 +2,7 @@
 //! gives this light, and path tracing estimates the integral by the mean over random paths, chosen with care.
 //!
 //! New: sample/mod.rs sample/hemisphere.rs material/lambert.rs material/modified_phong.rs
-//! New: render/mis.rs render/path.rs render/reflection.rs render/photons.rs render/caustics.rs scene/cornell.rs scene/plates.rs
+//! New: render/mis.rs render/path.rs render/reflection.rs render/disc.rs render/photons.rs render/caustics.rs scene/cornell.rs scene/plates.rs
 
 mod domes;
 mod path_error;

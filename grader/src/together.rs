@@ -1,7 +1,7 @@
 //! What judges ask of all answers together: what chance hides in one of them shows in many.
 //!
 //! Each question here goes wrong by chance with a probability of at most 8e-10 at a right answer, if the answers follow from
-//! different seeds. At most 21 of them are asked of a pattern, with 1e-8 in all; and they are asked of its cases, of these with
+//! different seeds. At most 21 of them are asked of a pattern, with 2e-8 in all; and they are asked of its cases, of these with
 //! the first further questions, and seldom of up to three more rounds (see [`crate::further`]): 3e-8 for a pattern. The answer to
 //! a case fails alone by chance with 4e-10 (`points.rs`), and one of a thousand points with 2e-8: 5e-8 in all; of further answers,
 //! two have to. So of a class of 500, a right `random_pattern` or `jittered` fails less than once in ten thousand classes.

@@ -22,7 +22,7 @@ const PLACES: u32 = 8;
 /// The angle from one place to the next: the golden ratio's part of a full turn, so that the places are all around the middle.
 const TURN: f32 = TAU * 0.618_034;
 
-/// Number of surfaces of glass and mirrors that a ray passes on its way.
+/// Number of surfaces of glass and mirrors that a ray passes on its way: more of them are seldom within a radius.
 const MOST_PASSED: usize = 4;
 
 /// A disc around a point of a surface. Nothing but the surfaces that scatter light count here: glass and mirrors are passed.

@@ -54,8 +54,8 @@ pub struct Photon {
     pub power: Rgb,
     /// Number of mirrors and surfaces of glass that it has met on its way.
     pub surfaces: u32,
-    /// Whether the surface ends within twice the radius within which it lights points. If not, it goes on for a radius around each of
-    /// these points.
+    /// Whether the surface ends within twice the radius within which the photon lights points. If not, the surface goes on for a radius
+    /// around each of these points.
     pub near_edge: bool,
 }
 
@@ -245,8 +245,8 @@ fn emits(light: &dyn Light) -> bool {
 }
 
 // ANCHOR: landing
-/// A photon of this light where it lands, with the power of the whole light; `None` if it lands nowhere, or has met no mirror or glass. It is
-/// to light points within the `radius`.
+/// A photon of this light where it lands, with the power of the whole light; `None` if it lands nowhere, or has met no mirror or glass. The
+/// photon is to light points within the `radius`.
 ///
 /// A photon goes the way of a path, backwards: where a path counts the light that goes from one lamp by delta lobes to a surface, the
 /// photons bring it. The lamp is in air, as [`Glass`](crate::material::glass::Glass) assumes. At a surface that scatters and also has

@@ -55,7 +55,7 @@ struct Proof {
     mistakes: usize,
     /// Who passes the visible cases, or those of some key.
     escaped: Vec<String>,
-    /// Who is told another name than the mistake's own, or none, after the visible cases.
+    /// Who is told another name than the mistake's own, or none, after the trial.
     misnamed: Vec<String>,
     /// Are told by their own name, and for certain.
     certainly: usize,

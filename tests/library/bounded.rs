@@ -1,5 +1,5 @@
 //! Whatever a mesh is, a structure over it takes at most 500 bytes a triangle, also while it is built, and time in proportion to
-//! N log N.
+//! N log N. With limits of the caller's own it takes more, but not without end.
 
 use glam::{UVec3, Vec3, vec3};
 use rand::RngExt;

@@ -12,6 +12,9 @@ use raybook::camera::pose::Pose;
 use raybook::camera::thin_lens::ThinLens;
 use raybook::math::domain::LARGEST;
 
+/// The angle by which an aperture of blades is turned, in radians: no blade lies along the film's edge.
+const TURN: f32 = 0.3;
+
 /// Where a camera stands and looks, and the shape of its picture.
 struct View {
     from: Vec3,
@@ -117,7 +120,7 @@ fn lens(fields: &Fields, view: &View) -> Result<Box<dyn Camera>, TextError> {
     let aperture = match blades {
         Some(count) => Aperture::Blades {
             count: count as u32,
-            turn: 0.3,
+            turn: TURN,
         },
         None => Aperture::Round,
     };

@@ -1,7 +1,8 @@
 //! The trial of a mistake that the answers leave in doubt: further questions on which it shows, and which tell it from others.
 //!
 //! Two wrong answers of yes or no are those of many mistakes. Who suspects one of them asks where it shows: if each further answer is as it
-//! says, and not as any other suspect says, it is the one.
+//! says, and no other suspect that says anything else is left, it is the one. Where answers are compared by their traits, further random
+//! cases are asked, and the traits of all tell.
 
 mod suspects;
 
@@ -23,7 +24,7 @@ const SHOWN: usize = 32;
 /// Questions on which it shows that tell enough, and those by which it is told from each other suspect.
 const ENOUGH: usize = 8;
 
-/// The same of estimates, which scatter.
+/// Questions on which it shows that are looked for, where answers are estimates, which scatter.
 const ENOUGH_ROUGH: usize = 24;
 
 /// Questions on which it does not show.

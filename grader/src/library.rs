@@ -9,6 +9,9 @@ static WORKBOOK: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../workbook");
 static CHAPTERS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../chapters");
 static SOLUTIONS: Dir<'_> = include_dir!("$CARGO_MANIFEST_DIR/../tests/solutions");
 
+/// The example of the library that chapter 19 draws.
+pub const MANY_BALLS: &str = include_str!("../../examples/many_balls.rs");
+
 /// What a package's files are called besides its sources.
 pub const MANIFEST: &str = "Cargo.toml";
 

@@ -17,6 +17,9 @@ use std::{env, fs};
 /// Where the chapters' package is in the workbook: beside what else is not the student's.
 const FOLDER: &str = ".raybook/chapters";
 
+/// Where the example is that chapter 19 draws: beside the chapters, as in the course.
+const EXAMPLE: &str = ".raybook/examples/many_balls.rs";
+
 /// Why a chapter cannot be drawn.
 #[derive(Debug, thiserror::Error)]
 pub enum DrawError {
@@ -53,7 +56,7 @@ pub fn program(workbook: &Path, chapter: &Chapter) -> Result<Program, DrawError>
     })
 }
 
-/// The files of the chapters' package, with their paths in the workbook.
+/// The files of the chapters' package and of the example, with their paths in the workbook.
 ///
 /// # Errors
 /// If an anchor in the course is wrong.
@@ -63,6 +66,7 @@ pub fn files() -> Result<Vec<StarterFile>, StarterError> {
         let path = Path::new(FOLDER).join(package).join(library::MANIFEST);
         files.push((path, manifest.into_bytes()));
     }
+    files.push((EXAMPLE.into(), library::MANY_BALLS.as_bytes().to_vec()));
     Ok(files)
 }
 

@@ -669,11 +669,13 @@ impl Graded for VisibleFraction {
     ];
 }
 
-/// The least denominator that makes whole numerators of all `fractions`, if it is so far below `samples` that chance does not explain it: by
-/// chance, a fraction between 0 and 1 has one with the probability of the denominator over `samples`.
+/// The least denominator by which all `fractions` are quotients of whole numbers, if it is so far below `samples` that chance does not
+/// explain it: by chance, a fraction that is neither none nor all has it with the probability of the denominator over `samples`.
 fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
     /// By chance, all are whole parts of one of these numbers with a probability below this.
     const CHANCE: f32 = 1e-4;
+    /// A whole number of samples is as near to one as this.
+    const ROUNDING: f32 = 1e-3;
     let between = fractions.iter().filter(|f| **f > 0.0 && **f < 1.0).count();
     let is_of = |few: &u32| {
         let share = *few as f32 / samples as f32;
@@ -681,7 +683,7 @@ fn of_fewer(fractions: &[f32], samples: u32) -> Option<u32> {
             return false;
         }
         let count = |f: &f32| f * *few as f32;
-        let is_whole = |f: &f32| (count(f) - count(f).round()).abs() < 1e-3;
+        let is_whole = |f: &f32| (count(f) - count(f).round()).abs() < ROUNDING;
         fractions.iter().all(is_whole)
     };
     (2..=samples / 8).find(is_of)

@@ -25,8 +25,8 @@ pub(super) fn folded(
     finish(min, max)
 }
 
-/// Clips by the slabs of the axes along which the ray moves, with a rule for the entry so far, that of an axis and the interval's min, and
-/// one for the exit so far, that of an axis and the interval's max.
+/// Clips by the slabs of the axes along which the ray moves. `enter` makes the next entry of the entry so far, that of an axis and the
+/// interval's min; `leave` makes the next exit of the exit so far, that of an axis and the interval's max.
 pub(super) fn folded_from(
     q: &BoxClip,
     enter: fn(f32, f32, f32) -> f32,

@@ -203,6 +203,32 @@ impl Landmarks {
     }
 }
 
+/// Whether points begin otherwise where only the seed is another, in at least one pair of answers: nothing if few pairs tell, or if lists of
+/// other lengths begin otherwise, which may depend on the length.
+fn depends_on_seed<Q>(
+    answers: &[(Q, Vec<Vec2>)],
+    same: impl Fn(&Q, &Q) -> bool,
+    seed: impl Fn(&Q) -> u32,
+) -> Option<bool> {
+    /// Two seeds may have the part in common that counts, and of this many pairs not all have.
+    const PAIRS: usize = 8;
+    let (mut alike, mut is_unclear) = (0, false);
+    for (i, (one, points)) in answers.iter().enumerate() {
+        for (other, others) in &answers[..i] {
+            let is_empty = points.is_empty() || others.is_empty();
+            if is_empty || seed(one) == seed(other) || !same(one, other) {
+                continue;
+            }
+            match points.first() == others.first() {
+                true => alike += 1,
+                false if points.len() == others.len() => return Some(true),
+                false => is_unclear = true,
+            }
+        }
+    }
+    (alike >= PAIRS && !is_unclear).then_some(false)
+}
+
 /// Whether answers to questions of which only the seed differs do differ, in each coordinate. `same` says of two of them whether all else is
 /// the same. That half of eight or more numbers come again has a probability below 1e-14, also if only four digits are printed of them.
 ///
@@ -210,8 +236,8 @@ impl Landmarks {
 /// If two are equal, or mostly equal along an axis.
 pub fn seeded<Q>(
     answers: &[(Q, Vec<Vec2>)],
-    same: impl Fn(&Q, &Q) -> bool,
-    seed: impl Fn(&Q) -> u32,
+    same: impl Fn(&Q, &Q) -> bool + Copy,
+    seed: impl Fn(&Q) -> u32 + Copy,
 ) -> Verdict {
     let mut landmarks = Landmarks::default();
     for (i, (one, points)) in answers.iter().enumerate() {
@@ -227,13 +253,24 @@ pub fn seeded<Q>(
             };
             let [x, y] = [again(0), again(1)];
             let what = match () {
-                () if alike >= 2 && x.min(y) == alike => "points",
-                () if alike >= ENOUGH && 2 * x >= alike => "x of points",
-                () if alike >= ENOUGH && 2 * y >= alike => "y of points",
+                () if alike >= 2 && x.min(y) == alike => match depends_on_seed(answers, same, seed)
+                {
+                    Some(true) => {
+                        "points, and others do not: does your generator start from all of it?"
+                    }
+                    Some(false) => "points, as all others do: does your generator start from it?",
+                    None => "points: does your generator start from it, and from all of it?",
+                },
+                () if alike >= ENOUGH && 2 * x >= alike => {
+                    "x of points: does each coordinate's generator start from it?"
+                }
+                () if alike >= ENOUGH && 2 * y >= alike => {
+                    "y of points: does each coordinate's generator start from it?"
+                }
                 () => continue,
             };
             return Err(format!(
-                "the seeds {} and {} give the same {what}: what does your generator start from?",
+                "the seeds {} and {} give the same {what}",
                 seed(other),
                 seed(one)
             ));

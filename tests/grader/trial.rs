@@ -1,10 +1,14 @@
 //! A mistake in doubt is put on trial: further answers tell it for certain, or leave it in doubt.
 
+use glam::DVec3;
+use rand::RngExt;
+use raybook::math::pcg;
 use raybook_grader::cases;
 use raybook_grader::diagnose::trial::Trial;
 use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
+use std::f64::consts::PI;
 
 /// What is told of one who answers these cases so, after a trial if it is in doubt. An answer comes with whether it is right.
 pub fn tried(
@@ -101,6 +105,50 @@ fn two_mistakes_in_the_same_answers_are_both_certain() {
     assert_eq!(names, [first, second]);
     assert_eq!(also.beside, Beside::Together);
     assert!(after.certain && also.certain, "{after:?}");
+}
+
+#[test]
+fn a_step_that_goes_wrong_beside_a_mistake_is_certain_with_it() {
+    let own = "lets the highlight shine through from behind";
+    let (examiner, cases, number) = mistake("phong", own);
+    let asked = examiner.asked();
+    let after = tried(examiner, &cases, |case| {
+        let q = asked.read_question(&case.question).expect("a question");
+        let [normal, light, arriving, diffuse] =
+            [0, 6, 9, 12].map(|from| DVec3::from_slice(&q[from..]));
+        let matte = diffuse * arriving * normal.dot(light).max(0.0);
+        let shining = examiner.mistake_answers(number, &q).expect("an answer");
+        let darker = DVec3::from_slice(&shining) - matte + matte / PI;
+        let answer = row::format(asked.answer.kind, &darker.to_array());
+        judged(examiner, case, answer)
+    });
+    let after = after.expect("they have names");
+    let step = "goes wrong at the step “diffuse: k_d (L·N)”: takes the value divided by π";
+    let [also] = &after.also[..] else {
+        panic!("one beside the other: {after:?}");
+    };
+    assert_eq!([&*after.name, &*also.name], [step, own]);
+    assert!(after.certain && also.certain, "{after:?}");
+}
+
+#[test]
+fn who_draws_other_random_numbers_is_told_by_what_chance_leaves() {
+    let (examiner, cases, _) =
+        mistake("random_pattern", "takes the root of its numbers for x only");
+    let after = tried(examiner, &cases, |case| {
+        let asked = examiner.asked();
+        let q = asked.read_question(&case.question).expect("a question");
+        let rng = &mut pcg::stream(2026, q[1] as u64);
+        let mut answer = vec![q[0]];
+        for _ in 0..q[0] as usize {
+            let [x, y] = [(); 2].map(|()| rng.random::<f64>());
+            answer.extend([x.sqrt(), y]);
+        }
+        judged(examiner, case, row::format(asked.answer.kind, &answer))
+    });
+    let after = after.expect("it has a name");
+    assert_eq!(after.name, "takes the root of its numbers for x only");
+    assert!(after.certain, "{after:?}");
 }
 
 /// Of a limit that is far too small, yes and no tell nothing but that, and so do they of many a mistake.

@@ -44,6 +44,12 @@ impl Distance {
         self.mean.iter().map(|v| v * v).sum::<f64>().sqrt()
     }
 
+    /// The same without what chance adds: to the square of each mean, that of its error, on average.
+    fn beyond_chance(&self) -> f64 {
+        let by_chance: f64 = self.error.iter().map(|e| e * e).sum();
+        (self.norm().powi(2) - by_chance).max(0.0).sqrt()
+    }
+
     /// Whether nothing is left of a distance but chance.
     fn explains(&self, whole: &Self) -> bool {
         let errors = self
@@ -130,6 +136,8 @@ const TWICE_AS_NEAR: f64 = 0.5;
 struct Considered {
     /// What of the distance is left.
     rest: f64,
+    /// What of it is left beyond chance.
+    left: f64,
     rank: u32,
     name: String,
     hint: String,
@@ -168,6 +176,7 @@ fn considered(
         let rest = rest.filter(|rest| rest.explains(whole))?;
         Some(Considered {
             rest: rest.norm(),
+            left: rest.beyond_chance(),
             rank,
             name: name.to_owned(),
             hint: hint.to_owned(),
@@ -237,6 +246,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     });
     let Considered {
         rest,
+        left,
         rank,
         name,
         hint,
@@ -273,7 +283,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     };
     let mut rivals = found.iter().filter(is_rival);
     let given = given.unwrap_or(1.0);
-    let is_near = *rest < NEAR * whole.norm();
+    let is_near = *left < NEAR * whole.norm();
     // Simple questions have one answer, whichever way is gone: who makes the mistake on another way gives none of its answers, but
     // their traits, to which no other mistake comes near.
     let stands_out = *rank == 0 && is_near && rivals.clone().all(|other| other.rank > SLIP);
@@ -298,8 +308,8 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     let diagnosis = Diagnosis {
         certain: *rank == 0
             && rivals.next().is_none()
-            && *rest < SURE * whole.norm()
-            && (given >= MOST || *rest < EXACT * whole.norm()),
+            && *left < SURE * whole.norm()
+            && (given >= MOST || *left < EXACT * whole.norm()),
         also: also.collect(),
         ..one(name, hint, Beside::Apart)
     };
@@ -373,6 +383,7 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
             let [(name, hint), then] = upon.told(evidence);
             found.push(Considered {
                 rest: rest.norm(),
+                left: rest.beyond_chance(),
                 rank: PAIR,
                 name,
                 hint,

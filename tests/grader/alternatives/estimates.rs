@@ -133,6 +133,19 @@ fn estimates_with_other_numbers_each_time_may_not_be_2_percent_wrong_nor_of_a_tw
     }
 }
 
+/// An estimate of a question's radiance by this share of the samples, other ones for each question.
+pub fn of_samples(q: &[f64], share: f64) -> Vec<f64> {
+    let mut question = q.to_vec();
+    if let Some(samples) = question.last_mut() {
+        *samples = (share * *samples).round();
+    }
+    let words: Vec<_> = question.iter().map(f64::to_string).collect();
+    let question = &mut Question::read(&words.join(" "));
+    let seed = q.iter().fold(0, |seed, v| pcg::mix(seed ^ v.to_bits()));
+    let answer = estimate(question, seed, |_, _, u| (uniform(u), 1.0 / TAU));
+    answer.expect("a radiance")
+}
+
 /// A direction of the hemisphere around z, all equally likely.
 fn uniform(u: DVec2) -> DVec3 {
     let (r, phi) = ((1.0 - u.x * u.x).sqrt(), TAU * u.y);

@@ -1,6 +1,6 @@
 //! Slips in structures, of which many answers are right.
 
-use super::function::{diagnosed, told};
+use super::function::{diagnosed, right, told};
 
 #[test]
 fn places_for_numbers_in_the_order_of_a_tree_are_named() {
@@ -40,6 +40,72 @@ fn an_axis_along_which_nothing_is_asked_is_named() {
     });
     let told = "leaves out the last of the axes along which a shape reaches a child";
     assert_eq!(found.name, told);
+}
+
+/// A node of an octree's answer: whether it has children, its number, where its children or names begin, and how many names it has; and the names.
+type Begin = fn(inner: bool, node: f64, first: f64, count: f64, names: &[f64]) -> f64;
+
+#[test]
+fn nodes_of_an_octree_that_begin_elsewhere_are_named() {
+    let behind: Begin = |inner, _, first, count, _| if inner { first } else { first + count };
+    let late: Begin = |inner, _, first, count, _| match inner {
+        false if count > 0.0 => first + 1.0,
+        _ => first,
+    };
+    let at_last: Begin = |inner, _, first, count, _| match inner {
+        false if count > 0.0 => first + count - 1.0,
+        _ => first,
+    };
+    let at_0: Begin = |inner, _, first, _, _| if inner { first } else { 0.0 };
+    let first_shape: Begin = |inner, _, first, count, names| match inner {
+        false if count > 0.0 => names[first as usize],
+        _ => first,
+    };
+    let number_of_node: Begin = |inner, node, first, _, _| if inner { first } else { node };
+    let last_child: Begin = |inner, _, first, _, _| if inner { first + 7.0 } else { first };
+    let distance: Begin = |inner, node, first, _, _| if inner { first - node } else { first };
+    for (begin, told) in [
+        (
+            behind,
+            "takes the end of a leaf's part of the list of names for its beginning",
+        ),
+        (late, "counts the places of the list of names from 1"),
+        (
+            at_last,
+            "gives a leaf the place of its last name, not that of its first",
+        ),
+        (
+            at_0,
+            "lets every leaf begin at the start of the list of names",
+        ),
+        (
+            first_shape,
+            "writes the number of a leaf's first shape where that name's place in the list belongs",
+        ),
+        (
+            number_of_node,
+            "lets leaves begin at places of the list of names that are not theirs",
+        ),
+        (
+            last_child,
+            "gives a node the number of its last child, not that of its first",
+        ),
+        (
+            distance,
+            "tells how far behind a node its first child is, not its number",
+        ),
+    ] {
+        let found = diagnosed("octree_build", |q| {
+            let mut tree = right("octree_build", q);
+            let count = tree[0] as usize;
+            let (nodes, names) = tree.split_at_mut(1 + 3 * count);
+            for (i, node) in (0..).zip(nodes[1..].chunks_exact_mut(3)) {
+                node[1] = begin(node[0] == 1.0, f64::from(i), node[1], node[2], &names[1..]);
+            }
+            Some(tree)
+        });
+        assert_eq!((&*found.name, found.certain), (told, true));
+    }
 }
 
 #[test]

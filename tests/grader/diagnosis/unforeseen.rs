@@ -11,6 +11,7 @@ use raybook_grader::examine::visible_rng;
 #[test]
 fn a_seed_of_which_a_part_is_used_is_no_dependence_on_the_point_before_nor_a_wrong_range() {
     let of_few = |n: f64, seed: f64| right("random_pattern", &[n, seed % 8.0 + 1.0]);
+    let of_none = |n: f64, _| right("random_pattern", &[n, 1.0]);
     let for_y_only = |n: f64, seed: f64| {
         let (mut points, fixed) = (right("random_pattern", &[n, seed]), [n, 0.0]);
         let fixed = right("random_pattern", &fixed);
@@ -20,12 +21,18 @@ fn a_seed_of_which_a_part_is_used_is_no_dependence_on_the_point_before_nor_a_wro
     };
     let examiner = cases::find("random_pattern").expect("it exists");
     let cases = examiner.cases(&mut visible_rng("random_pattern")).cases;
-    for wrong in [&of_few as &dyn Fn(f64, f64) -> Vec<f64>, &for_y_only] {
+    for (wrong, told) in [
+        (
+            &of_few as &dyn Fn(f64, f64) -> Vec<f64>,
+            "ignores a part of the seed",
+        ),
+        (&of_none, "ignores the seed"),
+        (&for_y_only, "ignores the seed in one coordinate"),
+    ] {
         let got = answers(examiner, &cases, |q| Some(wrong(q[0], q[1])));
         // One by one they are right.
         let together: Vec<_> = got.into_iter().map(|(got, _)| (got, false)).collect();
         let found = diagnose(examiner, &cases, &together).expect("it has a name");
-        let told = "ignores the seed, or a part of it, or in one coordinate";
         assert_eq!((&*found.name, found.certain), (told, true));
     }
 }

@@ -344,6 +344,39 @@ impl Graded for SolveQuadratic {
                 is_real.then(|| vec2(-0.5 * p - root, -0.5 * p + root))
             },
         },
+        Mistake {
+            name: "takes b² + 4ac under the root, and makes the other root of the first",
+            hint: "Which sign stands before 4ac? Check one of your roots.",
+            answer: |q| kept_under(q, q.b * q.b + 4.0 * q.a * q.c),
+        },
+        Mistake {
+            name: "takes b² − ac under the root, and makes the other root of the first",
+            hint: "Which number stands before ac in the discriminant? Check one of your roots.",
+            answer: |q| kept_under(q, q.b * q.b - q.a * q.c),
+        },
+        Mistake {
+            name: "takes b² − 2ac under the root, and makes the other root of the first",
+            hint: "Which number stands before ac in the discriminant? Check one of your roots.",
+            answer: |q| kept_under(q, q.b * q.b - 2.0 * q.a * q.c),
+        },
+        Mistake {
+            name: "takes b²/4 − ac under the root, and makes the other root of the first",
+            hint: "Two formulas are mixed: in the one with b/2 everything is divided by a, and b is halved everywhere.",
+            answer: |q| kept_under(q, 0.25 * q.b * q.b - q.a * q.c),
+        },
+        Mistake {
+            name: "takes |b² − 4ac| under the root, and makes the other root of the first",
+            hint: "What does a negative discriminant say about the parabola?",
+            answer: |q| kept_under(q, (q.b * q.b - 4.0 * q.a * q.c).abs()),
+        },
+        Mistake {
+            name: "forgets the root of the discriminant, and makes the other root of the first",
+            hint: "Check the units: what is added to b?",
+            answer: |q| {
+                let inside = q.b * q.b - 4.0 * q.a * q.c;
+                kept_under(q, inside * inside).filter(|_| inside >= 0.0)
+            },
+        },
     ];
 }
 
@@ -351,6 +384,13 @@ impl Graded for SolveQuadratic {
 fn roots(q: &SolveQuadratic, formula: fn(&SolveQuadratic, f32) -> Vec2) -> Option<Vec2> {
     let discriminant = q.b * q.b - 4.0 * q.a * q.c;
     (q.a != 0.0 && discriminant >= 0.0).then(|| formula(q, discriminant.sqrt()))
+}
+
+/// The same by the formula that keeps the digits: one root, and the other from their product, c/a.
+fn kept_under(q: &SolveQuadratic, inside: f32) -> Option<Vec2> {
+    let half = -0.5 * (q.b + inside.sqrt().copysign(q.b));
+    let other = if half == 0.0 { 0.0 } else { q.c / half };
+    (q.a != 0.0 && inside >= 0.0).then(|| sorted(vec2(half / q.a, other)))
 }
 
 /// The roots with another number under the root.

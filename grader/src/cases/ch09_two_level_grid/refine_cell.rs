@@ -487,6 +487,20 @@ impl Graded for RefineCell {
                 })
             },
         },
+        Mistake {
+            name: "names a shape only where its middle is, and in both cells if that is between them",
+            hint: "A ray can hit a shape far from the shape's middle: in which cells must the ray find the shape?",
+            answer: |q| {
+                by_overlap(
+                    q,
+                    |n| n,
+                    |cell, shape| {
+                        let middle = 0.5 * (shape.min + shape.max);
+                        (middle.cmpge(cell.min) & middle.cmple(cell.max)).all()
+                    },
+                )
+            },
+        },
     ];
 }
 

@@ -2,7 +2,7 @@
 
 mod builders;
 
-use super::octree_tree::{cost, leaves, shared, wrong_choice};
+use super::octree_tree::{cost, is_tree, misplaced, names, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use builders::{built, by, depth_first, name_all, sum, with_limit};
 use glam::Vec3;
@@ -13,6 +13,10 @@ use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
 use raybook_workbook::octree_rows::TreeRow;
+
+/// Leads to where a leaf's names begin.
+const LENGTH_OF_THE_LIST: &str =
+    "How long is the list of names before a leaf's own are appended, and how long after that?";
 
 impl Graded for OctreeBuild {
     fn random(rng: &mut Pcg) -> OctreeBuild {
@@ -71,36 +75,7 @@ impl Graded for OctreeBuild {
     }
 
     fn judge(q: &OctreeBuild, golden: &TreeRow, got: &TreeRow) -> Verdict {
-        let leaves = leaves(q, got)?;
-        let tolerance = 1e-4 * (q.max - q.min).max_element();
-        for leaf in &leaves {
-            let names = &got.names[leaf.names.clone()];
-            // Where its names begin is the cause of what they are.
-            let or_shared = |why: String| Err(shared(leaf, &leaves).unwrap_or(why));
-            let mut named = vec![0; q.shapes.len()];
-            for &name in names {
-                named[name as usize] += 1;
-            }
-            for (i, (shape, named)) in q.shapes.iter().zip(named).enumerate() {
-                let deep =
-                    (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
-                if named > 1 {
-                    return or_shared(format!("leaf {} names shape {i} twice", leaf.node));
-                }
-                if named == 0 && deep > tolerance {
-                    return or_shared(format!(
-                        "shape {i} reaches leaf {}, which does not name it",
-                        leaf.node
-                    ));
-                }
-                if named == 1 && deep < -tolerance {
-                    return or_shared(format!(
-                        "leaf {} names shape {i}, which is not in it",
-                        leaf.node
-                    ));
-                }
-            }
-        }
+        is_tree(q, got).map_err(|why| misplaced(q, got).map_or(why, str::to_owned))?;
         let (most, copies) = (q.copies * q.shapes.len() as f32, got.names.len() as f32);
         if copies > most.max(q.shapes.len() as f32) + 1e-3 {
             return Err(format!(
@@ -134,7 +109,7 @@ impl Graded for OctreeBuild {
             empty as f64 / all,
             f64::from(most) / n,
             (0..q.shapes.len() as u32).filter(held).count() as f64 / n,
-            f64::from(leaves(q, got).is_ok()),
+            f64::from(names(q, got).is_ok()),
         ]
     }
 
@@ -146,11 +121,9 @@ impl Graded for OctreeBuild {
             .filter(|node| node.count == 0)
             .for_each(|node| node.first = 0);
         // Leaves that share names are told by it.
-        let Ok(leaves) = leaves(q, &tree) else {
+        let Ok(mut names) = names(q, &tree) else {
             return tree;
         };
-        let mut names: Vec<_> = leaves.iter().map(|leaf| leaf.names.clone()).collect();
-        names.retain(|names| !names.is_empty());
         names.sort_by_key(|names| names.start);
         if names.windows(2).any(|two| two[0].end > two[1].start) {
             return tree;
@@ -207,12 +180,57 @@ impl Graded for OctreeBuild {
         Flaw {
             complaint: "of a list of",
             name: "lets leaves name places of the list of names that are not theirs: they begin at the wrong place, or count wrongly",
-            hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
+            hint: LENGTH_OF_THE_LIST,
         },
         Flaw {
             complaint: "both name what is at place",
             name: "lets leaves name places of the list of names that are not theirs: they begin at the wrong place, or count wrongly",
-            hint: "How long is the list of names before a leaf's own are appended, and how long after that?",
+            hint: LENGTH_OF_THE_LIST,
+        },
+        Flaw {
+            complaint: "begins behind its last name",
+            name: "takes the end of a leaf's part of the list of names for its beginning",
+            hint: LENGTH_OF_THE_LIST,
+        },
+        Flaw {
+            complaint: "begins one place too late",
+            name: "counts the places of the list of names from 1",
+            hint: "What is the place of the first name in the list?",
+        },
+        Flaw {
+            complaint: "has the place of its last name",
+            name: "gives a leaf the place of its last name, not that of its first",
+            hint: LENGTH_OF_THE_LIST,
+        },
+        Flaw {
+            complaint: "begins at place 0 of the list of names",
+            name: "lets every leaf begin at the start of the list of names",
+            hint: LENGTH_OF_THE_LIST,
+        },
+        Flaw {
+            complaint: "has the number of its first shape",
+            name: "writes the number of a leaf's first shape where that name's place in the list belongs",
+            hint: "The list holds the names of all leaves, one leaf's after the other's: at which place of it do a leaf's own begin?",
+        },
+        Flaw {
+            complaint: "begins where the names of another are",
+            name: "lets leaves begin at places of the list of names that are not theirs",
+            hint: LENGTH_OF_THE_LIST,
+        },
+        Flaw {
+            complaint: "1 too large for its first child",
+            name: "counts the nodes from 1",
+            hint: "What is the number of the root, and of the node that comes next in the list?",
+        },
+        Flaw {
+            complaint: "has the number of its last child",
+            name: "gives a node the number of its last child, not that of its first",
+            hint: "How long is the list of nodes at the moment before the eight children are appended?",
+        },
+        Flaw {
+            complaint: "how far behind it",
+            name: "tells how far behind a node its first child is, not its number",
+            hint: "From where do the numbers of the nodes count?",
         },
         Flaw {
             complaint: "which is the limit",

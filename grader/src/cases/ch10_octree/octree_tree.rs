@@ -1,19 +1,20 @@
 //! The tree of an answer to `octree_build`: its leaves, its cost, and whether each of its cuts pays.
 
+use crate::Verdict;
 use raybook::inside::octree::child_cell;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
 use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 
 /// A leaf of an answer.
-pub(super) struct LeafOf {
-    pub node: usize,
-    pub cell: Aabb,
-    pub names: std::ops::Range<usize>,
+struct LeafOf {
+    node: usize,
+    cell: Aabb,
+    names: std::ops::Range<usize>,
 }
 
 /// What is wrong if a leaf's names are those of another leaf too.
-pub(super) fn shared(leaf: &LeafOf, leaves: &[LeafOf]) -> Option<String> {
+fn shared(leaf: &LeafOf, leaves: &[LeafOf]) -> Option<String> {
     let shares = |other: &&LeafOf| {
         let (a, b) = (&leaf.names, &other.names);
         other.node != leaf.node && a.start < b.end && b.start < a.end
@@ -27,7 +28,7 @@ pub(super) fn shared(leaf: &LeafOf, leaves: &[LeafOf]) -> Option<String> {
 }
 
 /// The leaves of an answer, if it is a tree and no deeper than it may be.
-pub(super) fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
+fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, String> {
     let root = Aabb {
         min: q.min,
         max: q.max,
@@ -78,6 +79,149 @@ pub(super) fn leaves(q: &OctreeBuild, tree: &TreeRow) -> Result<Vec<LeafOf>, Str
         )),
         None => Ok(leaves),
     }
+}
+
+/// The names of each leaf that has any, if the answer is a tree.
+pub(super) fn names(
+    q: &OctreeBuild,
+    tree: &TreeRow,
+) -> Result<Vec<std::ops::Range<usize>>, String> {
+    let mut names: Vec<_> = leaves(q, tree)?
+        .into_iter()
+        .map(|leaf| leaf.names)
+        .collect();
+    names.retain(|names| !names.is_empty());
+    Ok(names)
+}
+
+/// Whether an answer is a tree, and each of its leaves names the shapes that reach it, once, and no other.
+///
+/// # Errors
+/// If it is not.
+pub(super) fn is_tree(q: &OctreeBuild, tree: &TreeRow) -> Verdict {
+    let leaves = leaves(q, tree)?;
+    let tolerance = 1e-4 * (q.max - q.min).max_element();
+    for leaf in &leaves {
+        // Where its names begin is the cause of what they are.
+        let or_shared = |why: String| Err(shared(leaf, &leaves).unwrap_or(why));
+        let mut named = vec![0; q.shapes.len()];
+        for &name in &tree.names[leaf.names.clone()] {
+            named[name as usize] += 1;
+        }
+        for (i, (shape, named)) in q.shapes.iter().zip(named).enumerate() {
+            let deep = (shape.max.min(leaf.cell.max) - shape.min.max(leaf.cell.min)).min_element();
+            let node = leaf.node;
+            if named > 1 {
+                return or_shared(format!("leaf {node} names shape {i} twice"));
+            }
+            if named == 0 && deep > tolerance {
+                return or_shared(format!(
+                    "shape {i} reaches leaf {node}, which does not name it"
+                ));
+            }
+            if named == 1 && deep < -tolerance {
+                return or_shared(format!("leaf {node} names shape {i}, which is not in it"));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// What is wrong with an answer that is a tree as soon as its leaves, or its nodes with children, begin elsewhere.
+pub(super) fn misplaced(q: &OctreeBuild, tree: &TreeRow) -> Option<&'static str> {
+    let is_tree_from = |inner: u32, first: &dyn Fn(usize, &NodeRow) -> Option<u32>| {
+        let mut moved = tree.clone();
+        let is_meant = |node: &NodeRow| node.inner == inner && (inner == 1 || node.count > 0);
+        for (i, node) in moved.nodes.iter_mut().enumerate() {
+            if is_meant(node) {
+                let Some(first) = first(i, node) else {
+                    return false;
+                };
+                node.first = first;
+            }
+        }
+        is_tree(q, &moved).is_ok()
+    };
+    let ways: [(u32, &dyn Fn(usize, &NodeRow) -> Option<u32>, _); 6] = [
+        (
+            0,
+            &|_, leaf| leaf.first.checked_sub(leaf.count),
+            "each leaf begins behind its last name in the list",
+        ),
+        (
+            0,
+            &|_, leaf| leaf.first.checked_sub(1),
+            "each leaf begins one place too late in the list of names",
+        ),
+        (
+            0,
+            &|_, leaf| (leaf.first + 1).checked_sub(leaf.count),
+            "each leaf has the place of its last name",
+        ),
+        (
+            1,
+            &|_, node| node.first.checked_sub(1),
+            "each node with children has a number that is 1 too large for its first child",
+        ),
+        (
+            1,
+            &|_, node| node.first.checked_sub(7),
+            "each node with children has the number of its last child",
+        ),
+        (
+            1,
+            &|i, node| node.first.checked_add(i as u32),
+            "each node with children tells how far behind it its first child is",
+        ),
+    ];
+    let way = ways
+        .iter()
+        .find(|(inner, first, _)| is_tree_from(*inner, first));
+    if let Some((.., why)) = way {
+        return Some(why);
+    }
+    [in_turn(tree), depth_first(q, tree)]
+        .into_iter()
+        .find(|begins| is_tree_from(0, &|i, _| begins.get(i).copied()))
+        .map(|begins| {
+            let leaves = || {
+                let all = tree.nodes.iter().zip(&begins);
+                all.filter(|(node, _)| node.inner == 0 && node.count > 0)
+            };
+            if leaves().all(|(leaf, _)| leaf.first == 0) {
+                "each leaf begins at place 0 of the list of names"
+            } else if leaves().all(|(leaf, begin)| tree.names.get(*begin as usize) == Some(&leaf.first)) {
+                "each leaf has the number of its first shape, and not that name's place in the list"
+            } else {
+                "the names stand in the list leaf by leaf, and some leaf begins where the names of another are"
+            }
+        })
+}
+
+/// Where the names of each node begin, if those of the leaves stand in the list as the leaves do.
+fn in_turn(tree: &TreeRow) -> Vec<u32> {
+    let ends = tree.nodes.iter().scan(0, |end: &mut u32, node| {
+        let begin = *end;
+        *end = end.saturating_add(node.count);
+        Some(begin)
+    });
+    ends.collect()
+}
+
+/// The same, if they stand there in the order in which the leaves are met depth first; nothing if the answer is no tree.
+fn depth_first(q: &OctreeBuild, tree: &TreeRow) -> Vec<u32> {
+    let mut begun = tree.clone();
+    for leaf in begun.nodes.iter_mut().filter(|node| node.inner == 0) {
+        leaf.first = 0;
+    }
+    let leaves = leaves(q, &begun).unwrap_or_default();
+    let (mut begins, mut end) = (vec![0; tree.nodes.len()], 0);
+    // The last child comes first.
+    for leaf in leaves.iter().rev() {
+        begins[leaf.node] = end;
+        end += leaf.names.len() as u32;
+    }
+    begins
 }
 
 /// The first node that should have been cut, or should not, by the rule and within the limits.

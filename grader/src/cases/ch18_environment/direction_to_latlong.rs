@@ -196,6 +196,11 @@ impl Graded for DirectionToLatlong {
                 vec2(phi / (2.0 * PI as f32), Self::right(q).y)
             },
         },
+        Mistake {
+            name: "has left and right exchanged, and counts v from the bottom",
+            hint: "Look along -z, the middle of the map: on which side of it is +x, and what is v for +y, straight up?",
+            answer: |q| Self::right(&turned(q, |d| vec3(-d.x, -d.y, d.z))),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

@@ -144,6 +144,9 @@ impl Graded for Jittered {
             hint: "Does the place in one cell depend on that in another, or on the cell's number?",
         },
         points::SEED,
+        points::PART_OF_SEED,
+        points::SEED_OR_PART,
+        points::SEED_OF_ONE,
         Flaw {
             name: "chooses a place in one cell that depends on the place in the next cell",
             hint: "Is the place in a cell chosen by random numbers of its own, or by those of another cell?",

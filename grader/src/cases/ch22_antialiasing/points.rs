@@ -53,11 +53,32 @@ pub const TOGETHER: Flaw = Flaw {
     hint: "Is each of the two coordinates chosen by a random number of its own?",
 };
 
-/// What is wrong where [`crate::together::seeded`] complains.
+/// What is wrong where [`crate::together::seeded`] complains of all seeds.
 pub const SEED: Flaw = Flaw {
-    complaint: "what does your generator start from",
-    name: "ignores the seed, or a part of it, or in one coordinate",
-    hint: "What does your generator start from: from all of the seed, or from some of its digits? Do all your random numbers come from it?",
+    complaint: "does your generator start from it?",
+    name: "ignores the seed",
+    hint: "What does your generator start from? The same seed must give the same points, and another seed others.",
+};
+
+/// What is wrong where it complains of some seeds.
+pub const PART_OF_SEED: Flaw = Flaw {
+    complaint: "does your generator start from all of it?",
+    name: "ignores a part of the seed",
+    hint: "Does your generator start from all of the seed, or from some of its digits?",
+};
+
+/// What is wrong where it can't tell which of the two it is.
+pub const SEED_OR_PART: Flaw = Flaw {
+    complaint: "does your generator start from it, and from all of it?",
+    name: "ignores the seed, or a part of it",
+    hint: "What does your generator start from: from all of the seed, or from some of its digits?",
+};
+
+/// What is wrong where it complains of one coordinate.
+pub const SEED_OF_ONE: Flaw = Flaw {
+    complaint: "does each coordinate's generator start from it?",
+    name: "ignores the seed in one coordinate",
+    hint: "Do all your random numbers come from a generator that starts from the seed?",
 };
 
 /// What is wrong where [`crate::together::serial`] complains.

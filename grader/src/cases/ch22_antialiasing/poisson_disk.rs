@@ -228,6 +228,9 @@ impl Graded for PoissonDisk {
             hint: "How often in a row may a new point be refused before you give up? Do two points that are just as far apart as asked both stay?",
         },
         points::SEED,
+        points::PART_OF_SEED,
+        points::SEED_OR_PART,
+        points::SEED_OF_ONE,
         Flaw {
             complaint: "more would have room",
             name: "keeps the points farther apart than asked",

@@ -143,6 +143,9 @@ impl Graded for RandomPattern {
             hint: "May a point lie in a corner of the square?",
         },
         points::SEED,
+        points::PART_OF_SEED,
+        points::SEED_OR_PART,
+        points::SEED_OF_ONE,
         Flaw {
             complaint: "is used in two points",
             name: "takes a coordinate of each point for the other coordinate of the next one: y for x, or x for y",

@@ -9,6 +9,7 @@ use crate::diagnose::slips::{Slipped, slipped};
 use crate::diagnose::{Beside, Diagnosis};
 use crate::examine::Examiner;
 use raybook_workbook::exercise::Asked;
+use std::rc::Rc;
 
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
@@ -57,9 +58,6 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
             score,
         })
     };
-    let own = |i: usize| -> Answer<'a> {
-        Box::new(move |question| attempt(|| examiner.mistake_answers(i, question))?)
-    };
     let words = (&*told.name, &*told.hint);
     let number = examiner.mistake_called(&told.name);
     let second = |beside| told.also.iter().find(move |also| also.beside == beside);
@@ -81,7 +79,7 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
     } else if let Some(number) = number {
         let also = second(Beside::Instead).cloned();
-        all.extend(suspect(words, false, also, own(number)));
+        all.extend(suspect(words, false, also, own(examiner, number)));
     } else if let Some(answer) = guessed(evidence, told) {
         let also = second(Beside::Instead).cloned();
         all.extend(suspect(words, true, also, answer));
@@ -97,7 +95,7 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
     let is_there = all.iter().any(|one| !one.is_two());
     let others = examiner.mistakes().into_iter().enumerate();
     let others = others.filter(|(_, (name, _))| !is_there || *name != told.name);
-    all.extend(others.filter_map(|(i, words)| suspect(words, false, None, own(i))));
+    all.extend(others.filter_map(|(i, words)| suspect(words, false, None, own(examiner, i))));
     all
 }
 
@@ -114,22 +112,38 @@ fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>
             answer.map(|(answer, _)| answer)
         })
     };
-    let beside = |together| -> Answer<'a> {
+    let mut ways = vec![upon(one, other), upon(other, one)];
+    ways.extend(beside_ways(
+        examiner,
+        [own(examiner, one), own(examiner, other)],
+    ));
+    ways
+}
+
+/// What one answers who makes one of the exercise's own mistakes.
+fn own<'a>(examiner: &'a dyn Examiner, mistake: usize) -> Answer<'a> {
+    Box::new(move |question| attempt(|| examiner.mistake_answers(mistake, question))?)
+}
+
+/// What one answers who makes two mistakes, each where the other does not meddle.
+fn beside_ways<'a>(examiner: &'a dyn Examiner, two: [Answer<'a>; 2]) -> Vec<Answer<'a>> {
+    let two = Rc::new(two);
+    let way = |together| -> Answer<'a> {
+        let two = Rc::clone(&two);
         Box::new(move |question| {
             let right = called(examiner.asked(), question)?;
-            let alone = |i| attempt(|| examiner.mistake_answers(i, question))?;
-            of_two(&right, &alone(one)?, &alone(other)?, together)
+            let [one, other] = &*two;
+            of_two(&right, &one(question)?, &other(question)?, together)
         })
     };
-    let mut ways = vec![upon(one, other), upon(other, one)];
-    ways.extend(TOGETHER.map(beside));
-    ways
+    TOGETHER.map(way).into()
 }
 
 /// What one answers who makes two mistakes that are not both the exercise's own.
 fn guessed_ways<'a>(evidence: &Evidence<'a>, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
     let mut ways = misread_ways(evidence.examiner, two);
     ways.extend(slipped_way(evidence, two));
+    ways.extend(slipped_and_own_ways(evidence, two));
     ways
 }
 
@@ -151,6 +165,21 @@ fn slipped_way<'a>(evidence: &Evidence<'a>, two: [&Diagnosis; 2]) -> Option<Answ
         [None, Some(slip)] => read(one, slip),
         _ => None,
     }
+}
+
+/// What one answers who goes wrong at a step and makes one of the exercise's own mistakes.
+fn slipped_and_own_ways<'a>(evidence: &Evidence<'a>, two: [&Diagnosis; 2]) -> Vec<Answer<'a>> {
+    let examiner = evidence.examiner;
+    let (one, other) = match two.map(|told| examiner.mistake_called(&told.name)) {
+        [Some(number), None] => (number, two[1]),
+        [None, Some(number)] => (number, two[0]),
+        _ => return Vec::new(),
+    };
+    let Some(slip) = slip_of(evidence, other) else {
+        return Vec::new();
+    };
+    let slipped = Box::new(move |question: &[f64]| slip.answer(question));
+    beside_ways(examiner, [own(examiner, one), slipped])
 }
 
 /// What one answers who misreads the question and makes one of the exercise's own mistakes with it, or misreads it twice.

@@ -1,7 +1,7 @@
 //! Faults of a few percent, which no single answer shows.
 
-use crate::alternatives::ch16;
 use crate::alternatives::student::Question;
+use crate::alternatives::{ch16, estimates};
 use glam::{DVec2, Vec3, dvec2, vec3};
 use rand::RngExt;
 use raybook::light::environment::latlong;
@@ -11,7 +11,7 @@ use raybook::math::pcg;
 use raybook_grader::cases;
 use std::f64::consts::{PI, TAU};
 
-/// A fault of a size, in words, and what it makes of the golden answer's numbers, without their count, to a question's.
+/// A fault of a size, in words, and what it makes of the golden answer's numbers, without the count of a list, to a question's.
 pub type Bias = (&'static str, fn(&[f64], Vec<f64>) -> Vec<f64>);
 
 /// Numbers for a fault that makes points anew.
@@ -358,6 +358,23 @@ pub const BIASES: &[(&str, &[Bias])] = &[
             }),
             ("leaves 1 % free at each border", |_, points| {
                 points.into_iter().map(|v| 0.01 + 0.98 * v).collect()
+            }),
+        ],
+    ),
+    (
+        "reflected_radiance",
+        &[
+            ("is 2 % too bright", |q, _| {
+                times(estimates::of_samples(q, 1.0), 1.02)
+            }),
+            ("is 1 % too bright", |q, _| {
+                times(estimates::of_samples(q, 1.0), 1.01)
+            }),
+            ("takes half of the samples", |q, _| {
+                estimates::of_samples(q, 0.5)
+            }),
+            ("takes a tenth of the samples", |q, _| {
+                estimates::of_samples(q, 0.1)
             }),
         ],
     ),

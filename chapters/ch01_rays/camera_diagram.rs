@@ -52,7 +52,7 @@ fn pixel_centre((column, row): (usize, usize)) -> Vec2 {
 
 /// The point of the image plane at a film place: where its ray has gone the focal length forward.
 fn on_plane(camera: &Pinhole, film: Vec2) -> Vec3 {
-    let ray = camera.ray(film, Vec2::ZERO);
+    let ray = camera.central_ray(film);
     ray.at(camera.focal_length / ray.direction.dot(*camera.forward))
 }
 
@@ -99,7 +99,7 @@ fn beyond_the_plane(sketch: &Sketch, camera: &Pinhole) -> Drawn {
     sketch.arrow(foot + 0.5 * ahead, foot + ahead, INK, 3)?;
     sketch.label(foot + 0.5 * ahead, vec2(96.0, 34.0), "focal length f", INK)?;
     for pixel in RAYS {
-        let ray = camera.ray(pixel_centre(pixel), Vec2::ZERO);
+        let ray = camera.central_ray(pixel_centre(pixel));
         let (end, colour) = meets(&ray);
         if colour == SKY {
             sketch.arrow(on_plane(camera, pixel_centre(pixel)), end, VERMILION, 4)?;
@@ -119,7 +119,7 @@ fn image_plane(sketch: &Sketch, camera: &Pinhole) -> Drawn {
         let centre = pixel_centre(pixel);
         let [a, b, c, d] = [(-1.0, -1.0), (1.0, -1.0), (1.0, 1.0), (-1.0, 1.0)]
             .map(|(x, y)| on_plane(camera, centre + half * vec2(x, y)));
-        let (_, colour) = meets(&camera.ray(centre, Vec2::ZERO));
+        let (_, colour) = meets(&camera.central_ray(centre));
         sketch.area(&[a, b, c, d], colour, 0.75)?;
         sketch.line(&[a, b, c, d, a], WHITE, 3)?;
         sketch.dot(on_plane(camera, centre), 4, INK)?;

@@ -9,7 +9,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::camera::{
     Camera,
     pinhole::{LookAtError, Pinhole},
@@ -87,7 +87,7 @@ impl Knobs {
 fn directions(film: &Film, toward: Vec3, focal_length: f32) -> Result<Image, LookAtError> {
     let camera = Pinhole::look_at(Vec3::ZERO, toward, Vec3::Y, focal_length, film.aspect())?;
     Ok(film.sample(|place, _| {
-        let d = camera.ray(place, Vec2::ZERO).direction;
+        let d = camera.central_ray(place).direction;
         let below_horizon = if d.y < 0.0 { 0.55 } else { 1.0 };
         // From [−1, 1] to [0, 1]; squared, because the eye finds half the light much brighter than half.
         let colour = Rgb::new(d.x, d.y, d.z).map(|v| (0.5 + 0.5 * v).powi(2));

@@ -48,14 +48,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 24, 16.0 / 9.0);
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())?;
     let radiance =
-        LazyCell::new(|| film.refine(|place, _| window::radiance(&camera.ray(place, Vec2::ZERO))));
+        LazyCell::new(|| film.refine(|place, _| window::radiance(&camera.central_ray(place))));
     let exposure = knobs.exposure;
     let room = format!("An evening room at {exposure} stops.").replace('-', "−");
     let (ends, curve) = knobs.curve.toned();
     let picture = LazyCell::new(|| radiance.map(|p| curve(tone::expose(p, exposure))));
     if stage.wants("picture") {
         let see = |place| {
-            let radiance = window::radiance(&camera.ray(place, Vec2::ZERO));
+            let radiance = window::radiance(&camera.central_ray(place));
             curve(tone::expose(radiance, exposure))
         };
         let shown = without_stairs(&film, &picture, see);
@@ -90,7 +90,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             ..film
         };
         let close = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.07, near.aspect())?;
-        let seen = |place| window::radiance(&close.ray(place, Vec2::ZERO));
+        let seen = |place| window::radiance(&close.central_ray(place));
         let shown = |radiance| tone::clamp(tone::expose(radiance, exposure));
         let tiles = [
             (

@@ -11,7 +11,7 @@ use crate::kit::{
 };
 use crate::shared::outdoors::checker;
 use clap::Args;
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -46,7 +46,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let flower: Vec<_> = (0..110).map(|i| petal(i, knobs.radius)).collect();
     if stage.wants("picture") {
         let picture = film.refine(|place, _| {
-            let normal = nearest(&flower, &camera.ray(place, Vec2::ZERO));
+            let normal = nearest(&flower, &camera.central_ray(place));
             normal.map_or(palette::backdrop(place.y), |n| palette::direction(*n))
         });
         let caption = "The normal at each ray's nearest hit, as a colour: red is to the right, green up, blue to the front.";
@@ -97,7 +97,7 @@ fn roots(film: Film) -> Sheet {
     let inside = Pinhole::look_at(vec3(0.0, 0.4, 0.9), Vec3::ZERO, Vec3::Y, 0.012, 1.0)?;
     let tile = |camera: Pinhole, root: usize| {
         film.refine(|place, _| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             let beyond = |t| sphere.hit(&ray, Interval::new(t, f32::INFINITY));
             let hit = successors(beyond(0.0), |hit| beyond(hit.t)).nth(root);
             hit.map_or(palette::backdrop(place.y), |hit| {

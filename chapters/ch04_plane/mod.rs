@@ -9,7 +9,7 @@ use crate::kit::{
 };
 use crate::shared::outdoors::{checker, haze, open_sky, sky};
 use clap::Args;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
@@ -53,7 +53,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let mut things: Vec<(&dyn Shape, Paint)> = vec![(&floor, &stone)];
     things.extend(balls.iter().map(|ball| (ball as _, &normal as _)));
     if stage.wants("picture") {
-        let picture = film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things));
+        let picture = film.refine(|place, _| see(&camera.central_ray(place), &things));
         let caption = "Tiles of one metre, out to the horizon. Haze hides the tiles that are smaller than a pixel. Each ray shows the nearest of its hits, on the floor or on a ball.";
         stage.picture("picture", caption, &picture)?;
     }
@@ -87,7 +87,7 @@ fn planes(film: Film) -> Sheet {
         let perpendicular_to = |&n: &Vec3| Plane::through(Vec3::ZERO, Dir3::new_or(n, Dir3::Y));
         let planes: Vec<_> = normals.iter().map(perpendicular_to).collect();
         let things: Vec<_> = planes.iter().map(|plane| (plane as _, paint)).collect();
-        film.refine(|place, _| see(&camera.ray(place, Vec2::ZERO), &things))
+        film.refine(|place, _| see(&camera.central_ray(place), &things))
     };
     let doubling = |_: &Surface, t: f32| palette::viridis(t.log2().floor() / 10.0);
     let normal = |at: &Surface, t: f32| {

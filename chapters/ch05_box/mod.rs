@@ -10,7 +10,7 @@ use crate::kit::{
     sheet::{Sheet, sheet},
 };
 use clap::Args;
-use glam::{Mat3, Vec2, Vec3, vec3};
+use glam::{Mat3, Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::{aabb::Aabb, interval::Interval, ray::Ray, slab};
@@ -83,7 +83,7 @@ fn column(x: i32, z: i32, side: f32) -> Option<Cuboid> {
 /// What the rays of a camera see.
 fn view(film: &Film, camera: &Pinhole, see: impl Fn(&Ray) -> Option<Rgb> + Sync) -> Image {
     film.refine(|place, _| {
-        let seen = see(&camera.ray(place, Vec2::ZERO));
+        let seen = see(&camera.central_ray(place));
         seen.unwrap_or(palette::backdrop(place.y))
     })
 }

@@ -13,7 +13,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::{Args, ValueEnum};
-use glam::{Mat3, Vec2, Vec3, vec3};
+use glam::{Mat3, Vec3, vec3};
 use looks::Look;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, Pinhole};
@@ -129,7 +129,7 @@ fn photograph(film: &Film, look: Look, turn: f32) -> Result<Image, LookAtError> 
     let floor = Plane::through(Vec3::ZERO, Dir3::Y);
     let sun = Dir3::new_or(vec3(-1.0, 1.2, 0.45), Dir3::Y);
     Ok(film.refine(|place, _| {
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         if let Some((triangle, hit)) = nearest(&solids, &ray) {
             let at = triangle.surface(&ray, &hit);
             return look(&ray, &hit, &at) * (0.7 + 0.3 * at.normal.dot(*sun).abs());

@@ -15,7 +15,7 @@ use crate::shared::daylight::{Paint, shade};
 use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky, showroom, stadium_figure};
 use clap::Args;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::accel::{Accel, grid::Grid};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -65,7 +65,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             }
         };
         let picture = film.refine(|place, _| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             match grid.closest(&ray, Interval::AHEAD) {
                 Some((_, hit)) => {
                     let at = crowd.mesh.surface(&ray, &hit);
@@ -92,7 +92,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let small = showroom::small(&stage.film_of(800, 8, 1.6));
     if stage.wants("heat") {
-        let heat = heat::heat(&small, |place| camera.ray(place, Vec2::ZERO), &grid);
+        let heat = heat::heat(&small, |place| camera.central_ray(place), &grid);
         let caption = "What each ray of the picture costs. A ray visits many cells, and most of them are empty. The triangle tests come at the end, around the hit.";
         stage.figure("heat", caption, &heat.figure("cells visited")?)?;
     }

@@ -14,7 +14,6 @@ use crate::shared::{
     daylight::shade, outdoors::sky, showroom::small, speeds::rays_a_second, stadium_figure::paint,
 };
 use clap::Args;
-use glam::Vec2;
 use raybook::accel::Accel;
 use raybook::accel::grid::Grid;
 use raybook::camera::Camera;
@@ -55,7 +54,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             "A teapot in a stadium of {triangles} triangles, and its shadow. The cells of a uniform grid have a size that suits the seats, and one or two of these cells hold the whole teapot."
         );
         let picture = film.refine(|place, _| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             match fine.closest(&ray, Interval::AHEAD) {
                 Some((_, hit)) => {
                     let at = stadium.mesh.surface(&ray, &hit);
@@ -79,7 +78,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         height: tile.height / 4,
         ..tile
     };
-    let ray = |place| camera.ray(place, Vec2::ZERO);
+    let ray = |place| camera.central_ray(place);
     if stage.wants("heat") {
         let caption = format!(
             "What each pixel's ray costs, with the same scale for all. λ is the number of coarse cells per triangle. One thread of \

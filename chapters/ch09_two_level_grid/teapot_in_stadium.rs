@@ -5,7 +5,7 @@ use crate::kit::numbers::whole;
 use crate::kit::palette::{BLUE, VERMILION};
 use crate::kit::{axis::Axis, figure::Figure, sheet::Sheet};
 use crate::shared::heat::{Heat, heat, with_scale};
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use plotters::style::Color;
 use raybook::accel::grid::Grid;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
@@ -36,7 +36,7 @@ pub fn maps(
     (density, fine): (f32, &TwoLevelGrid<Facet>),
 ) -> Sheet {
     let usual = TwoLevelGrid::of_facets(stadium.mesh.facets());
-    let ray = |place| camera.ray(place, Vec2::ZERO);
+    let ray = |place| camera.central_ray(place);
     let row = |name: &str, heat: &Heat| {
         let maps = [heat.of_boxes("cells"), heat.of_triangles()];
         maps.map(|(label, map)| (format!("{name}: {label}"), map))
@@ -69,7 +69,7 @@ pub fn densities(film: &Film, camera: &Pinhole, stadium: &Stadium) -> Figure {
     let counts = [64, 32, 16, 8, 4, 2, 1].map(|triangles| {
         let coarse = 1.0 / triangles as f32;
         let grid = two_levels(&stadium.mesh, coarse);
-        let map = heat(film, |place| camera.ray(place, Vec2::ZERO), &grid);
+        let map = heat(film, |place| camera.central_ray(place), &grid);
         let mean = |sum: u64| sum as f64 / map.rays() as f64;
         (
             f64::from(coarse),

@@ -21,7 +21,7 @@ use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{growth, heat, outdoors::sky_above, showroom, showroom::Showroom, speeds};
 use builders::Builder;
 use clap::Args;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::accel::{Accel, bvh::Bvh};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -98,7 +98,7 @@ fn draw_mountains(film: &Film, stage: &Stage, building: Building) -> Drawn {
     let camera = Pinhole::look_at(eye, to, Vec3::Y, 0.044, film.aspect())?;
     let sun = mountains::toward_sun();
     let picture = film.refine(|place, _| {
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         let Some((_, hit)) = tree.closest(&ray, AHEAD) else {
             return sky_above(mountains::AIR_ENDS, ray.direction);
         };

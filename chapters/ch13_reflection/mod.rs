@@ -60,11 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         };
         let above = ray_tree_figure::above(film.aspect())?;
         let view = photograph(&film, &above, &scene, depth);
-        let tree = ray_tree::grow(
-            &whitted(depth.min(5)),
-            &scene,
-            &camera.ray(PIXEL, Vec2::ZERO),
-        );
+        let tree = ray_tree::grow(&whitted(depth.min(5)), &scene, &camera.central_ray(PIXEL));
         let caption = "The rays for one pixel of the picture, seen from above, and the same rays as a tree. Each circle has the \
             colour that its ray sees; the numbers stand for the surfaces that the rays meet.";
         stage.figure(

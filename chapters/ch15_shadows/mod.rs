@@ -104,7 +104,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let tree = ray_tree::grow(
         &whitted(shadow::lit as _),
         &scene,
-        &camera.ray(PIXEL, Vec2::ZERO),
+        &camera.central_ray(PIXEL),
     );
     let caption = "The tree of chapter 13 again: now each ray to a light looks for obstacles, and an obstacle makes a shadow (purple).";
     stage.figure(

@@ -1,7 +1,7 @@
 //! The line where light ends on a coarse mesh, with shadow rays from the facets and from the round surface.
 
 use crate::kit::sheet::{Sheet, sheet};
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::accel::{Meshed, wide_bvh::WideBvh};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -38,7 +38,7 @@ pub(super) fn figure(film: &Film, cells: usize) -> Sheet {
     };
     let draw = |round: bool| {
         film.refine(|place, numbers| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             let Some(mut seen) = scene.closest(&ray) else {
                 return scene.behind_everything(&ray);
             };

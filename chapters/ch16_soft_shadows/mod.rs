@@ -11,7 +11,7 @@ use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::light::Light;
@@ -73,8 +73,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let counts = [("1 sample", 1), ("4", 4), ("16", 16), ("64", 64)];
         let tiles = counts.map(|(name, samples)| {
             let whitted = with_samples(samples);
-            let see =
-                |place, rng: &mut Pcg| whitted.follow(&scene, &close.ray(place, Vec2::ZERO), rng);
+            let see = |place, rng: &mut Pcg| whitted.follow(&scene, &close.central_ray(place), rng);
             (name, one_ray.sample(see))
         });
         let caption = "One, 4, 16 and 64 samples of the light per pixel: four times as many samples halve the noise. The noise \

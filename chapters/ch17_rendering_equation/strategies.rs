@@ -1,7 +1,7 @@
 //! Scenes for path tracing, each with its camera, and the error of a strategy's pictures.
 
 use crate::kit::sheet::sheet;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::{LookAtError, PLANE_HEIGHT, Pinhole};
 use raybook::image::Image;
@@ -77,7 +77,7 @@ impl View {
 
     /// A path-traced picture with its noise, ready to be displayed.
     fn roll(&self, film: &Film, path: Path) -> Image {
-        let ray = |place| self.camera.ray(place, Vec2::ZERO);
+        let ray = |place| self.camera.central_ray(place);
         let picture = film.sample(|at, rng| path.follow(&self.scene, &ray(at), rng));
         picture.map(|v| v * self.exposure)
     }

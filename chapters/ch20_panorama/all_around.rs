@@ -2,7 +2,7 @@
 
 use super::graticule;
 use crate::kit::sheet::sheet;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pinhole::{LookAtError, Pinhole};
@@ -97,7 +97,7 @@ pub(super) fn fisheyes(
 }
 
 fn marked(picture: &Image, camera: &dyn Camera) -> Image {
-    let direction = |place| camera.ray(place, Vec2::ZERO).direction;
+    let direction = |place| camera.central_ray(place).direction;
     graticule::over(picture, |place| {
         camera.sees(place).then(|| direction(place))
     })

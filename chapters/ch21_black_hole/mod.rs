@@ -15,7 +15,7 @@ mod straight_hole;
 use crate::kit::chapter;
 use crate::kit::stage::{Drawn, Stage};
 use clap::Args;
-use glam::{Mat3, Vec2, vec2, vec3};
+use glam::{Mat3, vec2, vec3};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::file;
@@ -80,7 +80,7 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
     let fan = fan(&camera, &film);
     if stage.wants("picture") {
         let picture = film.refine(|place, _| {
-            hole.radiance_by(&fan, camera.ray(place, Vec2::ZERO).direction) * EXPOSURE
+            hole.radiance_by(&fan, camera.central_ray(place).direction) * EXPOSURE
         });
         let caption = "A black hole and a disc of hot gas. The arch above the shadow is the far side of the disc, whose light is bent over the hole. The left side of the disc comes towards us, and is bluer and brighter.";
         stage.picture("picture", caption, &picture)?;
@@ -125,7 +125,7 @@ fn fan(camera: &Pinhole, film: &Film) -> Fan {
         vec2(0.0, 1.0),
         vec2(1.0, 1.0),
     ];
-    let off = |corner| camera.ray(corner, Vec2::ZERO).direction.angle_between(-eye);
+    let off = |corner| camera.central_ray(corner).direction.angle_between(-eye);
     let widest = corners.map(off).into_iter().fold(0.0, f32::max);
     Fan::new(eye, f64::from(widest), f64::from(0.25 * pixel))
 }

@@ -1,7 +1,7 @@
 //! A black hole beside what it would look like if light went straight on.
 
 use crate::kit::sheet::sheet;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::image::Image;
@@ -27,7 +27,7 @@ pub(super) fn compare(
     exposure: f32,
 ) -> Result<Image, Box<dyn Error>> {
     let tile = |radiance: &(dyn Fn(&Ray) -> Rgb + Sync)| {
-        film.refine(|place, _| radiance(&camera.ray(place, Vec2::ZERO)) * exposure)
+        film.refine(|place, _| radiance(&camera.central_ray(place)) * exposure)
     };
     let tiles = [
         (

@@ -11,7 +11,6 @@ use crate::kit::stage::{Drawn, Stage};
 use crate::lab::plot::Plot as _;
 use adaptive_gain::{map, measure, outcome, spent};
 use clap::Args;
-use glam::Vec2;
 use rand::Rng;
 use raybook::render::adaptive::{Limits, adaptive, by_budget};
 use raybook::render::film::Film;
@@ -54,7 +53,7 @@ pub struct Knobs {
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film(16.0 / 9.0);
     let Shot { scene, camera, .. } = gallery::HORIZON.shot(film.width)?;
-    let see = |place, rng: &mut dyn Rng| DIRECT.follow(&scene, &camera.ray(place, Vec2::ZERO), rng);
+    let see = |place, rng: &mut dyn Rng| DIRECT.follow(&scene, &camera.central_ray(place), rng);
     let limits = Limits {
         first: knobs.first,
         most: (4 * film.samples.max(2)).max(knobs.first),

@@ -17,7 +17,6 @@ use crate::shared::own_mesh::{self, MeshKnob};
 use crate::shared::{heat, showroom};
 use clap::Args;
 use confetti::Confetti;
-use glam::Vec2;
 use raybook::accel::bvh::Bvh;
 use raybook::accel::wide_bvh::WideBvh;
 use raybook::camera::Camera;
@@ -57,7 +56,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("picture") {
         let rays = AtomicU64::new(0);
         let follow = |place, numbers: &mut Even| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             let seen = confetti.follow(&ray, &tree, knobs.sky_rays, numbers);
             rays.fetch_add(seen.rays, Relaxed);
             seen
@@ -106,11 +105,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         return Ok(());
     }
     let caption = "The work for each ray of the camera, on the same scale as the maps of the other structures.";
-    let heat = heat::heat(
-        &showroom::small(&film),
-        |p| camera.ray(p, Vec2::ZERO),
-        &tree,
-    );
+    let heat = heat::heat(&showroom::small(&film), |p| camera.central_ray(p), &tree);
     stage.figure("heat", caption, &heat.figure("nodes visited")?)
 }
 

@@ -64,7 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let shown = see(chosen)?;
         let question = Trace {
             depth: chosen.depth,
-            ray: camera(chosen)?.ray(Vec2::splat(0.5), Vec2::ZERO),
+            ray: camera(chosen)?.central_ray(Vec2::splat(0.5)),
             scene: (chosen.scene)(),
         };
         let words = described::words(shown.width(), shown.height(), &question)?;
@@ -101,7 +101,7 @@ fn photograph(
     depth: u32,
 ) -> Result<Image, LookAtError> {
     let camera = camera(staged)?;
-    Ok(film.refine(|place, _| trace(scene, &camera.ray(place, Vec2::ZERO), depth)))
+    Ok(film.refine(|place, _| trace(scene, &camera.central_ray(place), depth)))
 }
 
 /// The chapter's binary.

@@ -1,6 +1,5 @@
 //! A photograph behind a picture that a map lights: a texel of the map is as large as many pixels, and would be seen.
 
-use glam::Vec2;
 use raybook::camera::Camera;
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::dir3::Dir3;
@@ -13,17 +12,15 @@ pub fn surroundings(
     camera: &dyn Camera,
     radiance: impl Fn(Dir3) -> Rgb + Sync,
 ) -> Image {
-    film.sample(|place, _| radiance(camera.ray(place, Vec2::ZERO).direction))
+    film.sample(|place, _| radiance(camera.central_ray(place).direction))
 }
 
 /// The share of each pixel in which a camera sees none of the scene's things.
 pub fn open(film: &Film, camera: &dyn Camera, scene: &Scene) -> Image {
-    film.sample(
-        |place, _| match scene.closest(&camera.ray(place, Vec2::ZERO)) {
-            Some(_) => Rgb::BLACK,
-            None => Rgb::WHITE,
-        },
-    )
+    film.sample(|place, _| match scene.closest(&camera.central_ray(place)) {
+        Some(_) => Rgb::BLACK,
+        None => Rgb::WHITE,
+    })
 }
 
 /// A picture with a plate in the place of the map that is seen behind the things, as far as they leave it open.

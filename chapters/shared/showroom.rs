@@ -56,7 +56,7 @@ impl Showroom {
 
     /// The camera's ray through a place on the film.
     pub fn ray(&self, film: Vec2) -> Ray {
-        self.camera.ray(film, Vec2::ZERO)
+        self.camera.central_ray(film)
     }
 
     /// What a ray that misses the mesh sees: the ground, darker around the mesh, and the sky at its end.

@@ -4,7 +4,7 @@ use crate::kit::sheet::Sheet;
 use crate::shared::daylight::{Paint, shade};
 use crate::shared::heat::{heat, with_scale};
 use crate::shared::outdoors::sky;
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::accel::{Accel, wide_bvh::WideBvh};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -32,7 +32,7 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
     };
     let shown = |camera: &Pinhole| {
         fine.refine(|place, _| {
-            let ray = camera.ray(place, Vec2::ZERO);
+            let ray = camera.central_ray(place);
             tree.closest(&ray, Interval::AHEAD)
                 .map_or(sky(ray.direction), |(_, hit)| {
                     let at = stadium.mesh.surface(&ray, &hit);
@@ -40,7 +40,7 @@ pub fn figure(film: &Film, stadium: &Stadium, accel: &impl Accel<Facet>, boxes: 
                 })
         })
     };
-    let heat = heat(film, |place| near.ray(place, Vec2::ZERO), accel);
+    let heat = heat(film, |place| near.central_ray(place), accel);
     let maps = [
         ("the stadium".to_owned(), shown(&far)),
         ("the teapot on its centre spot".to_owned(), shown(&near)),

@@ -6,7 +6,7 @@
 //! use raybook::prelude::*;
 //!
 //! let eye = Fisheye::new(Pose::level(Vec3::ZERO), Projection::Equidistant, 180.0, 1.0)?;
-//! let rim = eye.ray(vec2(1.0, 0.5), Vec2::ZERO).direction;
+//! let rim = eye.central_ray(vec2(1.0, 0.5)).direction;
 //! assert!((rim.x - 1.0).abs() < 1e-5); // 90° to the right
 //! assert!(!eye.sees(vec2(0.01, 0.01))); // beside the disc
 //! # Ok::<(), raybook::camera::fisheye::ViewError>(())

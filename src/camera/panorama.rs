@@ -5,8 +5,8 @@
 //! use raybook::prelude::*;
 //!
 //! let camera = Panorama { pose: Pose::level(Vec3::ZERO) };
-//! assert!(camera.ray(vec2(0.5, 0.5), Vec2::ZERO).direction.z < -0.999); // ahead
-//! assert!(camera.ray(vec2(0.75, 0.5), Vec2::ZERO).direction.x > 0.999); // a quarter turn to the right
+//! assert!(camera.central_ray(vec2(0.5, 0.5)).direction.z < -0.999); // ahead
+//! assert!(camera.central_ray(vec2(0.75, 0.5)).direction.x > 0.999); // a quarter turn to the right
 //! ```
 
 use crate::camera::{Camera, pose::Pose};

@@ -106,7 +106,7 @@ impl ThinLens {
         let Pinhole {
             forward, right, up, ..
         } = self.view;
-        let central = self.view.ray(film, Vec2::ZERO);
+        let central = self.view.central_ray(film);
         let in_focus = central.at(self.lens.focus / central.direction.dot(*forward));
         let radius = 0.5 * self.lens.aperture();
         let origin = central.origin + radius * (on_lens.x * *right + on_lens.y * *up);
@@ -148,6 +148,10 @@ impl ThinLens {
 impl Camera for ThinLens {
     fn ray(&self, film: Vec2, lens: Vec2) -> Ray {
         self.refracted(film, self.aperture.point(lens))
+    }
+
+    fn central_ray(&self, film: Vec2) -> Ray {
+        self.view.central_ray(film)
     }
 
     fn has_lens(&self) -> bool {

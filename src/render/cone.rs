@@ -42,7 +42,7 @@ impl Cone {
     pub fn of_sample(camera: &dyn Camera, film: &Film) -> Self {
         let ray = |pixels: Vec2| {
             let place = 0.5 + pixels / vec2(film.width as f32, film.height as f32);
-            camera.ray(place, Vec2::splat(0.5))
+            camera.central_ray(place)
         };
         let [across, down] = [Vec2::X, Vec2::Y].map(|by| [ray(-0.5 * by), ray(0.5 * by)]);
         let part = (film.samples as f32).sqrt().recip().max(0.125);

@@ -40,7 +40,7 @@ impl Film<'_> {
             for i in 0..SAMPLES {
                 let place = self.place([x, y], places(i));
                 if camera.sees(place) {
-                    sum += seen(scene, &camera.ray(place, Vec2::splat(0.5)));
+                    sum += seen(scene, &camera.central_ray(place));
                 }
             }
             (sum / SAMPLES as f32, SAMPLES as u64)

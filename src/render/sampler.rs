@@ -99,12 +99,12 @@ impl Film<'_> {
             if !camera.sees(place) {
                 return Followed::default();
             }
-            let lens = if camera.has_lens() {
-                vec2(numbers.random(), numbers.random())
+            let ray = if camera.has_lens() {
+                camera.ray(place, vec2(numbers.random(), numbers.random()))
             } else {
-                Vec2::splat(0.5)
+                camera.central_ray(place)
             };
-            integrator.follow(scene, &camera.ray(place, lens), cone, numbers)
+            integrator.follow(scene, &ray, cone, numbers)
         };
         match *sampler {
             Sampler::Even => self.evenly(|place, numbers| see(place, numbers)),

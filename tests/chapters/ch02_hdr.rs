@@ -19,7 +19,7 @@ fn look_out(width: usize, jiggle: f32) -> Image {
     let camera = Pinhole::look_at(window::EYE, window::MIDDLE, Vec3::Y, 0.024, film.aspect())
         .expect("it can");
     film.sample(|place, rng| {
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         let off = jiggle * (vec3(rng.random(), rng.random(), rng.random()) - 0.5);
         window::radiance(&Ray::new(
             ray.origin,

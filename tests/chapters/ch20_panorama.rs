@@ -7,7 +7,7 @@ mod panorama;
 mod round_trip;
 mod scene;
 
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use rand::RngExt;
 use raybook::camera::Camera;
 use raybook::camera::{panorama::Panorama, pose::Pose};
@@ -50,5 +50,5 @@ fn film(width: usize, height: usize) -> Film<'static> {
 fn panorama(scene: &Scene, from: Vec3, width: usize) -> Image {
     let pose = Pose::level(from);
     let camera = Panorama { pose };
-    film(width, width / 2).sample(|place, _| seen(scene, &camera.ray(place, Vec2::ZERO)))
+    film(width, width / 2).sample(|place, _| seen(scene, &camera.central_ray(place)))
 }

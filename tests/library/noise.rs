@@ -1,6 +1,6 @@
 //! The noise-aware comparison of pictures: right ones with another seed pass, and a table of planted errors is caught.
 
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec3, vec2};
 use rand::RngExt;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
@@ -42,7 +42,7 @@ fn render(path: Path, seed: u64) -> Image {
         let places = jittered(8, SAMPLES / 8, rng);
         let seen = places.into_iter().map(|place| {
             let place = (vec2(x as f32, y as f32) + place) / SIZE as f32;
-            path.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng)
+            path.radiance(&scene, &camera.central_ray(place), rng)
         });
         seen.sum::<Rgb>() / SAMPLES as f32
     })

@@ -51,10 +51,7 @@ fn the_first_images_of_ray_tracing_in_one_weekend_are_the_same_byte_for_byte() {
     let small = Sphere::new(-Vec3::Z, 0.5);
     let ground = Sphere::new(vec3(0.0, -100.5, -1.0), 100.0);
     let ray = |x: usize, y: usize| {
-        camera.ray(
-            vec2((x as f32 + 0.5) / 400.0, (y as f32 + 0.5) / 225.0),
-            Vec2::ZERO,
-        )
+        camera.central_ray(vec2((x as f32 + 0.5) / 400.0, (y as f32 + 0.5) / 225.0))
     };
     let hit = |ray: &Ray, ball: &Sphere| ball.hit(ray, Interval::AHEAD);
     let normal = |ray: &Ray, balls: &[Sphere]| {

@@ -3,7 +3,7 @@
 use crate::meshes::{Scene, ball};
 use crate::racer::{Query, Question};
 use crate::racers::embree::Embree;
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::camera::Camera;
 use raybook::math::basis::Basis;
@@ -91,7 +91,7 @@ pub(crate) fn sets(scene: &Scene, embree: &Embree, side: usize, count: usize) ->
 
 fn through_pixel(scene: &Scene, side: usize, i: usize) -> Question {
     let [x, y] = [i % side, i / side].map(|i| (i as f32 + 0.5) / side as f32);
-    (scene.camera.ray(vec2(x, y), Vec2::ZERO), Interval::AHEAD)
+    (scene.camera.central_ray(vec2(x, y)), Interval::AHEAD)
 }
 
 /// From a point of the sphere around the mesh to another one.

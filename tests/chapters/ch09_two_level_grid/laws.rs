@@ -2,7 +2,7 @@
 
 use crate::ch09_two_level_grid::valid;
 use crate::ch09_two_level_grid::whole::whole;
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use proptest::prelude::*;
 use raybook::accel::two_level_grid::{TwoLevelGrid, build::Densities};
 use raybook::accel::{Accel, Tests, grid::Grid, list::List};
@@ -26,7 +26,7 @@ fn the_teapot_in_the_stadium_costs_a_fraction_of_what_it_costs_in_a_grid() {
     };
     let camera = camera(film.aspect()).expect("it looks at the teapot");
     let cost = |tests: Tests| tests.boxes + tests.shapes;
-    let ray = |place| camera.ray(place, Vec2::ZERO);
+    let ray = |place| camera.central_ray(place);
     let grid = Grid::of_facets(stadium.mesh.facets());
     let grid = cost(heat(&film, ray, &grid).tests());
     let [usual, fine] = [Densities::USUAL.coarse, 1.0].map(|coarse| {

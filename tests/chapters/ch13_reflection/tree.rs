@@ -16,7 +16,7 @@ fn all(branch: &Branch) -> Vec<&Branch> {
 fn a_tree_sees_what_the_renderer_sees() {
     let Shot { scene, camera, .. } = gallery::MARBLES.shot(96).expect("a scene");
     let mut rng = pcg::stream(13, 3);
-    let middle = camera.ray(Vec2::splat(0.5), Vec2::ZERO);
+    let middle = camera.central_ray(Vec2::splat(0.5));
     let (from, to) = (middle.origin, middle.at(8.0));
     let (mut deepest, mut limits) = (0, 0);
     for _ in 0..2000 {

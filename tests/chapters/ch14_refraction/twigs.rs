@@ -1,6 +1,6 @@
 //! Rays that count for nearly nothing are not followed.
 
-use glam::{Vec2, Vec3, vec2};
+use glam::{Vec3, vec2};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::math::pcg;
@@ -39,7 +39,7 @@ fn most_rays_of_the_whole_tree_count_for_nearly_nothing() {
     for i in 0..width * height {
         let place = vec2((i % width) as f32 + 0.5, (i / width) as f32 + 0.5);
         let place = place / vec2(width as f32, height as f32);
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         let tree = grow(&whitted, &scene, &ray);
         whole += rays(&tree);
         let seen = whitted.follow(&scene, &ray, &mut pcg::stream(14, 1));

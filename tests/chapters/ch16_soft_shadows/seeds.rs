@@ -1,7 +1,7 @@
 //! The renderer with lights that have an extent, against itself with other random numbers, and with another choice of them.
 
 use crate::ch16_soft_shadows::noisy::{BATCHES, Noisy};
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::light::{
     Light, extent::LightSampling, rect_light::RectLight, sphere_light::SphereLight,
@@ -42,7 +42,7 @@ fn render(light: Box<dyn Light>, arrives: Visibility, first_seed: u64) -> Noisy 
             threads: 2,
             ..Film::new(48, 27, 4)
         };
-        film.sample(|place, rng| whitted.radiance(&scene, &camera.ray(place, Vec2::ZERO), rng))
+        film.sample(|place, rng| whitted.radiance(&scene, &camera.central_ray(place), rng))
     };
     let batches: Vec<Image> = (first_seed..).take(BATCHES).map(batch).collect();
     Noisy::of(&batches.iter().collect::<Vec<_>>())

@@ -89,7 +89,7 @@ fn a_strong_sun_pays_for_being_asked() {
             ..path(strategy)
         };
         let Shot { scene, camera, .. } = still_life(light);
-        let eye = camera.ray(Vec2::splat(0.5), Vec2::ZERO).origin;
+        let eye = camera.central_ray(Vec2::splat(0.5)).origin;
         let ray = Ray::new(
             eye,
             Dir3::new(vec3(-2.2, 0.0, 1.0) - eye).expect("not zero"),
@@ -109,7 +109,7 @@ fn even_random_numbers_change_the_noise_and_not_the_mean() {
     let overcast = Environment::new(skies::map(skies::overcast, 64));
     let Shot { scene, camera, .. } = still_life(Box::new(overcast));
     let path = path(Strategy::Both);
-    let ray = |at| camera.ray(at, Vec2::ZERO);
+    let ray = |at| camera.central_ray(at);
     let film = |seed, samples| Film {
         seed,
         threads: 2,

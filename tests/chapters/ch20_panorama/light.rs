@@ -1,7 +1,7 @@
 //! A panorama lights what was never there as the scene itself would.
 
 use crate::ch20_panorama::{film, panorama, seen};
-use glam::{Vec2, Vec3};
+use glam::Vec3;
 use raybook::camera::Camera;
 use raybook::camera::fisheye::{Fisheye, Projection};
 use raybook::camera::pose::Pose;
@@ -35,7 +35,7 @@ fn irradiance(normal: Dir3) -> f64 {
         if !camera.sees(place) {
             return Rgb::gray(-1.0); // a number which no radiance is
         }
-        seen(&scene, &camera.ray(place, Vec2::ZERO))
+        seen(&scene, &camera.central_ray(place))
     });
     let lit = picture.pixels().iter().filter(|pixel| pixel.g >= 0.0);
     let (sum, count) = lit.fold((0.0, 0.0), |(sum, count), pixel| {

@@ -34,7 +34,7 @@ fn the_six_directions_are_where_they_should_be() {
         ("the bottom edge", vec2(0.9, 1.0), -pose.up),
     ];
     for (name, film, expected) in cases {
-        let ray = camera.ray(film, Vec2::ZERO);
+        let ray = camera.central_ray(film);
         assert_eq!(ray.origin, pose.position, "{name}: where the camera is");
         let off = ray.direction.distance(*expected);
         assert!(
@@ -56,7 +56,7 @@ fn the_formula_of_the_comment_is_what_the_code_computes() {
         let around = phi.cos() * axes[0] + phi.sin() * axes[1];
         let expected = theta.sin() * around + theta.cos() * axes[2];
         let film = vec2(u as f32, v as f32);
-        let d = camera.ray(film, Vec2::ZERO).direction.as_dvec3();
+        let d = camera.central_ray(film).direction.as_dvec3();
         assert!(
             d.distance(expected) < f64::from(ROUNDED),
             "at {film}: {d}, not {expected}"
@@ -72,7 +72,7 @@ fn a_level_panorama_is_the_inverse_of_the_map() {
     let mut rng = pcg::stream(201, 0);
     for _ in 0..20_000 {
         let d = direction(&mut rng);
-        let back = camera.ray(latlong::place(d), Vec2::ZERO).direction;
+        let back = camera.central_ray(latlong::place(d)).direction;
         assert!(
             back.distance(*d) < 4.0 * ROUNDED,
             "{d:?} comes back as {back:?}"
@@ -98,7 +98,7 @@ fn every_pixel_sees_its_own_texel_at_any_size() {
             for x in (0..width).step_by(1 + width / 97) {
                 let size = vec2(width as f32, height as f32);
                 let film = (vec2(x as f32, y as f32) + 0.5) / size;
-                let place = latlong::place(camera.ray(film, Vec2::ZERO).direction) * size;
+                let place = latlong::place(camera.central_ray(film).direction) * size;
                 let texel = (place.x as usize, place.y as usize);
                 assert_eq!(texel, (x, y), "of {width} × {height} texels");
             }
@@ -114,7 +114,7 @@ fn a_camera_that_turns_to_the_right_shifts_the_picture_to_the_left() {
         right: -level.forward,
         ..level
     };
-    let at = |pose: Pose, film: Vec2| Panorama { pose }.ray(film, Vec2::ZERO).direction;
+    let at = |pose: Pose, film: Vec2| Panorama { pose }.central_ray(film).direction;
     for i in 0..1000 {
         let film = vec2((i as f32 * 0.618_034).fract(), (i as f32 + 0.5) / 1000.0);
         let before = at(level, vec2((film.x + 0.25).fract(), film.y));

@@ -1,7 +1,7 @@
 //! A panorama, used as an environment map, shows the same again.
 
 use crate::ch20_panorama::{film, panorama, seen};
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
 use raybook::camera::{panorama::Panorama, pose::Pose};
@@ -37,7 +37,7 @@ fn the_middle_of_every_texel_has_the_radiance_of_its_ray() {
     };
     for (x, y) in (0..height).flat_map(|y| (0..width).map(move |x| (x, y))) {
         let place = (vec2(x as f32, y as f32) + 0.5) / vec2(width as f32, height as f32);
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         assert_eq!(
             environment.radiance(ray.direction),
             seen(&scene, &ray),
@@ -56,9 +56,9 @@ fn difference(from: Vec3, width: usize) -> (f64, f64) {
         let camera = Pinhole::look_at(from, from + toward, Vec3::Y, 0.02, 1.5);
         let camera = camera.expect("it looks somewhere");
         let film = film(96, 64);
-        let real = film.sample(|place, _| seen(&scene, &camera.ray(place, Vec2::ZERO)));
+        let real = film.sample(|place, _| seen(&scene, &camera.central_ray(place)));
         let around =
-            film.sample(|place, _| environment.radiance(camera.ray(place, Vec2::ZERO).direction));
+            film.sample(|place, _| environment.radiance(camera.central_ray(place).direction));
         for (a, b) in real.pixels().iter().zip(around.pixels()) {
             let off = a.channels().into_iter().zip(b.channels());
             // The sun is 600: what is brighter than white is white in both.
@@ -122,7 +122,7 @@ fn a_panorama_of_an_environment_is_that_environment() {
         };
         let film = film(map.width(), map.height());
         let again =
-            film.sample(|place, _| environment.radiance(camera.ray(place, Vec2::ZERO).direction));
+            film.sample(|place, _| environment.radiance(camera.central_ray(place).direction));
         assert!(again.same_bits(&map), "every texel, bit for bit");
         // And as a light in a scene, by the whole path tracer.
         let empty: Scene = Scene::new(Vec::new(), vec![Box::new(environment)]);
@@ -132,8 +132,8 @@ fn a_panorama_of_an_environment_is_that_environment() {
             strategy: Strategy::Both,
         };
         let rng = &|| pcg::stream(1, 0);
-        let again = film
-            .sample(|place, _| path.radiance(&empty, &camera.ray(place, Vec2::ZERO), &mut rng()));
+        let again =
+            film.sample(|place, _| path.radiance(&empty, &camera.central_ray(place), &mut rng()));
         assert!(again.same_bits(&map), "in a scene, bit for bit");
     }
 }
@@ -164,7 +164,7 @@ fn a_mirrored_or_shifted_panorama_would_be_noticed() {
         let environment = Environment::new(map);
         let film = film(width, height);
         let again =
-            film.sample(|place, _| environment.radiance(camera.ray(place, Vec2::ZERO).direction));
+            film.sample(|place, _| environment.radiance(camera.central_ray(place).direction));
         let real = panorama(&scene, EYE, 256);
         let differ = again.pixels().iter().zip(real.pixels());
         let differ = differ.filter(|(a, b)| a != b).count();

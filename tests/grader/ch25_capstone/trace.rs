@@ -1,6 +1,6 @@
 //! The radiance of rays, by other parts of the library and by hand.
 
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -19,9 +19,7 @@ use raybook::scene::world::{Scene, Thing};
 fn view(staged: &Staged, x: f32, y: f32) -> Ray {
     let [from, to] = staged.view;
     let camera = Pinhole::look_at(from, to, Vec3::Y, staged.focal_length, ASPECT);
-    camera
-        .expect("a stage has a view")
-        .ray(vec2(x, y), Vec2::ZERO)
+    camera.expect("a stage has a view").central_ray(vec2(x, y))
 }
 
 /// The same scene for Whitted's ray tracer of chapter 13, before black.

@@ -50,7 +50,7 @@ fn looking_along_minus_z_makes_the_axes_those_of_the_world() {
 
 #[test]
 fn the_middle_of_the_film_sees_the_point_looked_at() {
-    let ray = camera().ray(Vec2::splat(0.5), Vec2::ZERO);
+    let ray = camera().central_ray(Vec2::splat(0.5));
     assert_eq!(
         ray.origin,
         vec3(1.0, 2.0, 3.0),
@@ -73,7 +73,7 @@ fn film_0_0_is_the_top_left() {
         (vec2(0.0, 1.0), "bottom left", -1.0, -1.0),
         (vec2(1.0, 1.0), "bottom right", 1.0, -1.0),
     ] {
-        let d = camera.ray(corner, Vec2::ZERO).direction;
+        let d = camera.central_ray(corner).direction;
         // The corner of a plane of 48 mm × 24 mm, 50 mm ahead.
         let expected = vec3(0.024 * x, 0.012 * y, -0.05).normalize();
         assert!(
@@ -88,7 +88,7 @@ fn film_0_0_is_the_top_left() {
 fn rays_pass_through_the_centres_of_pixels() {
     let (camera, width, height) = (camera(), 6.0, 4.0);
     for (x, y) in [(0.0, 0.0), (5.0, 0.0), (2.0, 3.0)] {
-        let ray = camera.ray(vec2((x + 0.5) / width, (y + 0.5) / height), Vec2::ZERO);
+        let ray = camera.central_ray(vec2((x + 0.5) / width, (y + 0.5) / height));
         // Walk the plane: from its top left by whole pixels, and half a pixel more.
         let pixel = camera.plane / vec2(width, height);
         let top_left = camera.focal_point + camera.focal_length * *camera.forward
@@ -111,7 +111,7 @@ fn focal_length_and_field_of_view_belong_together() {
     for (millimetres, degrees) in [(14.0, 81.20), (24.0, 53.13), (50.0, 26.99), (200.0, 6.87)] {
         let camera = Pinhole::look_at(Vec3::ZERO, Vec3::X, Vec3::Y, millimetres / 1000.0, 1.5)
             .expect("it can");
-        let edge = |y: f32| camera.ray(vec2(0.5, y), Vec2::ZERO).direction;
+        let edge = |y: f32| camera.central_ray(vec2(0.5, y)).direction;
         let angle = edge(0.0).angle_between(*edge(1.0)).to_degrees();
         assert!(
             (angle - degrees).abs() < 0.01,

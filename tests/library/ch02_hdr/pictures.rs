@@ -1,6 +1,6 @@
 //! Pictures to compare.
 
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, vec3};
 use raybook::camera::{Camera, pinhole::Pinhole};
 use raybook::image::{Image, rgb::Rgb};
 use raybook::math::interval::Interval;
@@ -24,7 +24,7 @@ pub(super) fn rendered() -> Image {
     .expect("it can");
     let sphere = Sphere::new(Vec3::ZERO, 1.0);
     film.sample(|place, _| {
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         sphere.hit(&ray, Interval::AHEAD).map_or_else(
             || {
                 Rgb::new(0.25, 0.32, 0.45)

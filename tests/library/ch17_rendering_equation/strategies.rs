@@ -1,7 +1,7 @@
 //! Path tracing by three strategies: they look different, and mean the same.
 
 use crate::ch17_rendering_equation::{ALL, direction, square};
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use raybook::camera::Camera;
 use raybook::camera::pinhole::{PLANE_HEIGHT, Pinhole};
 use raybook::math::ray::Ray;
@@ -20,7 +20,7 @@ fn part((scene, camera): &(Scene, Pinhole), top: f32, path: Path, seed: u64, sam
     Mean::sampled(seed, samples, |rng| {
         let u = square(rng);
         let place = vec2(0.1, top) + vec2(0.8, 0.95 - top) * u;
-        let ray = camera.ray(place, Vec2::ZERO);
+        let ray = camera.central_ray(place);
         path.radiance(scene, &ray, rng).luminance()
     })
 }

@@ -18,12 +18,27 @@ fn a_tiny_hole_sees_what_the_pin_hole_sees() {
     let pinhole = at(f32::INFINITY, 2.0);
     for film in [vec2(0.5, 0.5), vec2(0.0, 0.0), vec2(0.9, 0.2)] {
         for lens in [vec2(0.1, 0.9), vec2(0.7, 0.7)] {
-            let (ray, expected) = (pinhole.ray(film, lens), pinhole.view.ray(film, Vec2::ZERO));
+            let (ray, expected) = (pinhole.ray(film, lens), pinhole.view.central_ray(film));
             assert_eq!(ray.origin, expected.origin, "it starts in the hole");
             assert!(
                 ray.direction.distance(*expected.direction) < 1e-6,
                 "{film}: {ray:?}, and should be {expected:?}"
             );
+        }
+    }
+}
+
+#[test]
+fn the_central_ray_is_that_of_the_pin_hole_whatever_the_aperture() {
+    let blades = Aperture::Blades {
+        count: 5,
+        turn: 0.3,
+    };
+    for aperture in [Aperture::Round, blades] {
+        let camera = camera(PLANE, 1.4, 2.0, aperture);
+        for film in [vec2(0.5, 0.5), vec2(0.0, 0.0), vec2(0.9, 0.2)] {
+            let (central, pinhole) = (camera.central_ray(film), camera.view.central_ray(film));
+            assert_eq!(central, pinhole, "{aperture:?} at {film}");
         }
     }
 }
@@ -52,7 +67,7 @@ proptest! {
     ) {
         let camera = at(f_number, focus);
         let film = vec2(x, y);
-        let (ray, central) = (camera.ray(film, vec2(u, v)), camera.refracted(film, Vec2::ZERO));
+        let (ray, central) = (camera.ray(film, vec2(u, v)), camera.central_ray(film));
         let on_plane = |ray: raybook::math::ray::Ray| ray.at(focus / ray.direction.dot(*camera.view.forward));
         let (a, b) = (on_plane(ray), on_plane(central));
         let off = ray.origin - camera.view.focal_point;

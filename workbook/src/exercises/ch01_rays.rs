@@ -54,7 +54,7 @@ exercises! { ($) ch01_rays
             focal_length,
             plane,
         };
-        camera.ray(film, Vec2::ZERO).into()
+        camera.central_ray(film).into()
     }
 }
 

@@ -67,7 +67,7 @@ exercises! { ($) ch19_depth_of_field
         };
         let camera = ThinLens::new(&body, f_number, focus, Aperture::Round);
         camera.map_or_else(
-            |_| body.ray(film, Vec2::ZERO).into(),
+            |_| body.central_ray(film).into(),
             |camera| camera.refracted(film, on_lens).into(),
         )
     }

@@ -32,6 +32,6 @@ exercises! { ($) ch20_panorama
             right,
             up,
         };
-        Panorama { pose }.ray(film, Vec2::ZERO).into()
+        Panorama { pose }.central_ray(film).into()
     }
 }

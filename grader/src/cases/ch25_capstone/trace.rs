@@ -2,7 +2,7 @@
 
 use super::slip::{Slip, answer, without};
 use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
 use raybook::camera::Camera;
 use raybook::camera::pinhole::Pinhole;
@@ -43,7 +43,7 @@ fn pixel<const N: usize>(x: u32, y: u32) -> Trace {
     let camera = Pinhole::look_at(from, to, Vec3::Y, staged.focal_length, ASPECT);
     Trace {
         depth: staged.depth,
-        ray: camera.expect("a stage has a view").ray(film, Vec2::ZERO),
+        ray: camera.expect("a stage has a view").central_ray(film),
         scene: (staged.scene)(),
     }
 }

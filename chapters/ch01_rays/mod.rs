@@ -44,11 +44,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
         )?;
     }
-    stage.diagram(
-        "camera",
-        "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel. The first object that the ray meets gives the pixel its colour.",
-        &camera_diagram::draw()?,
-    )?;
+    if stage.wants("camera") {
+        stage.diagram(
+            "camera",
+            "The camera of this chapter: every ray starts at the focal point and leaves through the centre of a pixel. The first object that the ray meets gives the pixel its colour.",
+            &camera_diagram::draw()?,
+        )?;
+    }
     if !stage.wants("focal_lengths") {
         return Ok(());
     }

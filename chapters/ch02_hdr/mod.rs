@@ -125,11 +125,13 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     )?;
     }
 
-    stage.diagram(
-        "curves",
-        "Three tone curves for a grey: the byte in the PNG file against the radiance in stops.",
-        &stops::curves()?,
-    )?;
+    if stage.wants("curves") {
+        stage.diagram(
+            "curves",
+            "Three tone curves for a grey: the byte in the PNG file against the radiance in stops.",
+            &stops::curves()?,
+        )?;
+    }
     if !stage.wants("histogram") {
         return Ok(());
     }

@@ -100,9 +100,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let caption = "Four things that a hit tells: the distance, the place on the triangle, the normal, and the side of the triangle.";
         stage.figure("sheet", caption, &sheet(2, &tiles)?)?;
     }
-    let caption = "Barycentric coordinates: b₁ grows from 0 on the side p₀p₂ to 1 at p₁, and b₂ grows from 0 on the side p₀p₁ to \
-        1 at p₂.";
-    stage.diagram("barycentrics", caption, &barycentrics::draw()?)?;
+    if stage.wants("barycentrics") {
+        let caption = "Barycentric coordinates: b₁ grows from 0 on the side p₀p₂ to 1 at p₁, and b₂ grows from 0 on the side p₀p₁ to \
+            1 at p₂.";
+        stage.diagram("barycentrics", caption, &barycentrics::draw()?)?;
+    }
     if !stage.wants("cost") {
         return Ok(());
     }

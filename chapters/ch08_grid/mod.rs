@@ -85,10 +85,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "The cells through which a ray passes, numbered in order up to the first hit. The ray is tested only against \
-        the triangles in these cells, two of six, and once against each. The blue cells hold triangles too, but the ray does not \
-        pass through them.";
-    stage.diagram("walk", caption, &walk_figure::diagram()?)?;
+    if stage.wants("walk") {
+        let caption = "The cells through which a ray passes, numbered in order up to the first hit. The ray is tested only against \
+            the triangles in these cells, two of six, and once against each. The blue cells hold triangles too, but the ray does not \
+            pass through them.";
+        stage.diagram("walk", caption, &walk_figure::diagram()?)?;
+    }
 
     let small = showroom::small(&stage.film_of(800, 8, 1.6));
     if stage.wants("heat") {

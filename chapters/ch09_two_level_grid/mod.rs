@@ -66,10 +66,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "A two-level grid in the plane: thick lines are the borders of coarse cells, thin lines are those of fine \
-        cells. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are \
-        the ray's steps; small cells have no room for them.";
-    stage.diagram("walk", caption, &nested_cells::diagram()?)?;
+    if stage.wants("walk") {
+        let caption = "A two-level grid in the plane: thick lines are the borders of coarse cells, thin lines are those of fine \
+            cells. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are \
+            the ray's steps; small cells have no room for them.";
+        stage.diagram("walk", caption, &nested_cells::diagram()?)?;
+    }
 
     let tile = small(&film);
     let grid = Grid::of_facets(stadium.mesh.facets());

@@ -102,9 +102,11 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("levels", caption, &sheet(2, &tiles)?)?;
     }
 
-    let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, for \
-        which small leaves have no room, and skips empty leaves.";
-    stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
+    if stage.wants("quadtree") {
+        let caption = "A quad-tree, which is an octree in the plane: a ray visits the leaves in the order of their numbers, for \
+            which small leaves have no room, and skips empty leaves.";
+        stage.diagram("quadtree", caption, &quadtree::diagram()?)?;
+    }
 
     if stage.wants("heat") {
         let room = Showroom::around(&mesh, tile.aspect());

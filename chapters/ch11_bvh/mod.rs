@@ -72,11 +72,15 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("picture") {
         draw_mountains(&film, stage, building)?;
     }
-    let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
-    stage.diagram("stages", caption, &three_stages::draw()?)?;
-    let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The \
-        cost is the expected work of a search.";
-    stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
+    if stage.wants("stages") {
+        let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
+        stage.diagram("stages", caption, &three_stages::draw()?)?;
+    }
+    if stage.wants("organisations") {
+        let caption = "Two trees over the same 22 triangles. In the left tree, the boxes are large and long, and they overlap. The \
+            cost is the expected work of a search.";
+        stage.diagram("organisations", caption, &flat_boxes::two_organisations()?)?;
+    }
     let teapot = teapot::mesh(24);
     if stage.wants("builders") {
         let (builders, caption) = builders::figure(&teapot.facets())?;

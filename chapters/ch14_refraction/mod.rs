@@ -71,37 +71,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    stage.diagram(
-        "parts",
-        &parts::caption(knobs.index),
-        &parts::diagram(knobs.index)?,
-    )?;
-
-    // Beyond this angle, in degrees, no light leaves the glass; into glass of index 1, all light goes straight on.
-    let critical = (knobs.index > 1.0).then(|| (1.0 / knobs.index).asin().to_degrees());
-    let (leaves, reflected) = match critical {
-        Some(angle) => (
-            format!("Out of glass, nothing goes through beyond {angle:.1}°."),
-            "At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the \
-            critical angle, all light is reflected.",
-        ),
-        None => (
-            "This index is that of air: nothing is reflected.".to_owned(),
-            "This index is that of air: nothing is reflected, at any angle; here Schlick's approximation fails.",
-        ),
-    };
-    let caption = format!(
-        "Beams into glass and out of glass with an index of refraction of {}. The width of a beam is its share of the light. The \
-        reflected light is vermilion, and the light that goes through is blue. {leaves}",
-        knobs.index
-    );
-    stage.diagram("beams", &caption, &refraction_fan::diagram(knobs.index)?)?;
-    let caption = format!(
-        "The fraction of the light that is reflected by glass with an index of refraction of {}, against the angle to the \
-        normal. {reflected}",
-        knobs.index
-    );
-    stage.diagram("fresnel", &caption, &fresnel_plot::plot(knobs.index)?)?;
+    draw_surface(stage, knobs.index)?;
 
     if stage.wants("prism") {
         let caption = "White light from a slit through a prism of crown glass and through one of flint glass, calculated for 150 \
@@ -155,6 +125,42 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let caption = "The same green glass in balls of 40 cm to 3.2 m diameter. On a way twice as long, the fraction of light that \
         is left is squared.";
     stage.picture("absorption", caption, &sizes)
+}
+
+/// Draws what a surface of glass does with light.
+fn draw_surface(stage: &Stage, index: f32) -> Drawn {
+    if stage.wants("parts") {
+        stage.diagram("parts", &parts::caption(index), &parts::diagram(index)?)?;
+    }
+
+    // Beyond this angle, in degrees, no light leaves the glass; into glass of index 1, all light goes straight on.
+    let critical = (index > 1.0).then(|| (1.0 / index).asin().to_degrees());
+    let (leaves, reflected) = match critical {
+        Some(angle) => (
+            format!("Out of glass, nothing goes through beyond {angle:.1}°."),
+            "At Brewster's angle, light that is polarised parallel to the plane of incidence is not reflected at all. Beyond the \
+            critical angle, all light is reflected.",
+        ),
+        None => (
+            "This index is that of air: nothing is reflected.".to_owned(),
+            "This index is that of air: nothing is reflected, at any angle; here Schlick's approximation fails.",
+        ),
+    };
+    if stage.wants("beams") {
+        let caption = format!(
+            "Beams into glass and out of glass with an index of refraction of {index}. The width of a beam is its share of the \
+            light. The reflected light is vermilion, and the light that goes through is blue. {leaves}"
+        );
+        stage.diagram("beams", &caption, &refraction_fan::diagram(index)?)?;
+    }
+    if stage.wants("fresnel") {
+        let caption = format!(
+            "The fraction of the light that is reflected by glass with an index of refraction of {index}, against the angle to the \
+            normal. {reflected}"
+        );
+        stage.diagram("fresnel", &caption, &fresnel_plot::plot(index)?)?;
+    }
+    Ok(())
 }
 
 /// A picture by Whitted's ray tracing, without shadows.

@@ -99,9 +99,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.figure("lights", caption, &sheet(4, &tiles)?)?;
     }
 
-    let caption = "The ends of the umbra and of the penumbra follow from similar triangles (orange). The fraction of the light \
-        that is seen is estimated by 2000 random samples at each place (blue).";
-    stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
+    if stage.wants("penumbra") {
+        let caption = "The ends of the umbra and of the penumbra follow from similar triangles (orange). The fraction of the light \
+            that is seen is estimated by 2000 random samples at each place (blue).";
+        stage.diagram("penumbra", caption, &penumbra::diagram()?)?;
+    }
+    if !stage.wants("error") {
+        return Ok(());
+    }
     let caption = format!(
         "The relative RMS error of the irradiance against the number of samples, from {} repetitions each: a straight \
         line of slope −½. For a near light, samples by solid angle have a smaller error than samples by area. With an obstacle \

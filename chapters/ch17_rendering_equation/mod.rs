@@ -137,28 +137,14 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     if stage.wants("caustic") {
-        let caption = format!(
-            "A mirror and glass in the box.{limit} From three surfaces on, there is a bright spot below the glass \
-            ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, and very few paths do. \
-            {} photons, which start at the lamp, have brought it; a point is lit by those that have landed at most {:.0} mm from it.",
-            grouped(PHOTONS as f64),
-            1000.0 * RADIUS
-        );
-        let (film, balls) = (stage.film_of(384, 16, 1.0), View::with_balls()?);
-        let caustics = Caustics {
-            path,
-            photons: Photons::shot(&balls.scene, PHOTONS, RADIUS, film.seed),
-            brightest: BRIGHTEST,
-        };
-        let caustic = film.denoised(&guides(&film, &balls), |film| {
-            photograph(film, &balls, &caustics)
-        });
-        stage.figure("caustic", &caption, &caustic)?;
+        draw_caustic(stage, path, &limit)?;
     }
 
-    let caption = "600 directions of the hemisphere (blue), and their projections on the surface (orange): uniform on the left, \
-        by the cosine on the right. Light counts in proportion to cos θ, so directions near the horizon contribute little.";
-    stage.diagram("hemisphere", caption, &domes::draw()?)?;
+    if stage.wants("hemisphere") {
+        let caption = "600 directions of the hemisphere (blue), and their projections on the surface (orange): uniform on the left, \
+            by the cosine on the right. Light counts in proportion to cos θ, so directions near the horizon contribute little.";
+        stage.diagram("hemisphere", caption, &domes::draw()?)?;
+    }
 
     let tile = stage.tile(3, 1.5).halved();
     if stage.wants("strategies") {
@@ -175,6 +161,27 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         was drawn. In the box (top), directions by the light are as good as both together. On the plates (bottom), both together \
         have the smallest error, also for equal time.";
     stage.diagram("error", caption, &path_error::plot(&tile)?)
+}
+
+/// Draws the box with a mirror ball and a glass one. `limit` is the sentence that tells the depth of the paths.
+fn draw_caustic(stage: &Stage, path: Path, limit: &str) -> Drawn {
+    let caption = format!(
+        "A mirror and glass in the box.{limit} From three surfaces on, there is a bright spot below the glass \
+        ball, a caustic: light of the lamp that the glass has gathered. No ray to the lamp finds this light, and very few paths do. \
+        {} photons, which start at the lamp, have brought it; a point is lit by those that have landed at most {:.0} mm from it.",
+        grouped(PHOTONS as f64),
+        1000.0 * RADIUS
+    );
+    let (film, balls) = (stage.film_of(384, 16, 1.0), View::with_balls()?);
+    let caustics = Caustics {
+        path,
+        photons: Photons::shot(&balls.scene, PHOTONS, RADIUS, film.seed),
+        brightest: BRIGHTEST,
+    };
+    let caustic = film.denoised(&guides(&film, &balls), |film| {
+        photograph(film, &balls, &caustics)
+    });
+    stage.figure("caustic", &caption, &caustic)
 }
 
 /// A path-traced picture, ready to be displayed: each ray of the camera begins a path, and the mean radiance is exposed.

@@ -51,6 +51,9 @@ pub struct Knobs {
 /// If a picture cannot be drawn or written.
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if let Some(file) = &knobs.environment {
+        if !stage.wants("picture") {
+            return Ok(());
+        }
         let map = knobs.layout.unfold(&file::load(file)?);
         let film = stage.film_of(960, 64, 1.6);
         let caption = format!(

@@ -150,6 +150,9 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("balls") {
         draw_balls(stage)?;
     }
+    if !stage.wants("blur") {
+        return Ok(());
+    }
     let caption = format!(
         "The circle of confusion of a 50 mm lens that is focused at {focus} m: the disc on the sensor that a point becomes. A disc \
         smaller than a pixel looks sharp: the shaded ranges are the depth of field."

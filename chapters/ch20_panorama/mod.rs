@@ -56,6 +56,9 @@ pub struct Knobs {
 pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let (pose, scene) = (Pose::level(EYE), pavilion::scene());
     if let Some(projections::Named(projection)) = knobs.projection {
+        if !stage.wants("picture") {
+            return Ok(());
+        }
         let film = stage.film_of(720, 9, 1.0);
         let camera = Fisheye::new(pose, projection, knobs.view, film.aspect())?;
         let picture = photograph(&scene, &film, &camera);

@@ -27,6 +27,7 @@ use raybook::render::curved::fan::Fan;
 use raybook::render::film::Film;
 use raybook::scene::accretion_disc::AccretionDisc;
 use starry_sky::starry_sky;
+use std::cell::LazyCell;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -77,10 +78,11 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
         disc: Some(&disc),
         sky,
     };
-    let fan = fan(&camera, &film);
+    let fan = LazyCell::new(|| fan(&camera, &film));
     if stage.wants("picture") {
+        let fan = &*fan;
         let picture = film.refine(|place, _| {
-            hole.radiance_by(&fan, camera.central_ray(place).direction) * EXPOSURE
+            hole.radiance_by(fan, camera.central_ray(place).direction) * EXPOSURE
         });
         let caption = "A black hole and a disc of hot gas. The arch above the shadow is the far side of the disc, whose light is bent over the hole. The left side of the disc comes towards us, and is bluer and brighter.";
         stage.picture("picture", caption, &picture)?;
@@ -101,12 +103,16 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
         stage.figure("straight_and_bent", &caption, &figure)?;
     }
 
-    let caption = "Parallel rays from the left. The hole swallows rays with an impact parameter b, the distance from the axis, \
-        below 2.598 radii of the hole (vermilion). The next rays turn back or go around the hole before they leave.";
-    stage.diagram("rays", caption, &bent_rays::draw()?)?;
-    let caption = "The angle by which the hole turns a ray with the impact parameter b. For large b the angle is 2/b radians \
-        (dashed); towards b = 2.598 it grows without limit. The dots are rays that were followed step by step.";
-    stage.diagram("deflection", caption, &deflection_plot::draw()?)?;
+    if stage.wants("rays") {
+        let caption = "Parallel rays from the left. The hole swallows rays with an impact parameter b, the distance from the axis, \
+            below 2.598 radii of the hole (vermilion). The next rays turn back or go around the hole before they leave.";
+        stage.diagram("rays", caption, &bent_rays::draw()?)?;
+    }
+    if stage.wants("deflection") {
+        let caption = "The angle by which the hole turns a ray with the impact parameter b. For large b the angle is 2/b radians \
+            (dashed); towards b = 2.598 it grows without limit. The dots are rays that were followed step by step.";
+        stage.diagram("deflection", caption, &deflection_plot::draw()?)?;
+    }
     if !stage.wants("shadows") {
         return Ok(());
     }

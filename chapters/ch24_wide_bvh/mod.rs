@@ -72,12 +72,16 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
-    let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
-        children, the branch with the largest box first.";
-    stage.diagram("collapse", caption, &wide_trees::draw()?)?;
-    let caption = "Eight boxes and one ray. All lanes do the same sums at once. A box is met where the largest distance of entry \
-        is not above the smallest distance of leaving. The row “turn” tells the order in which the boxes are visited.";
-    stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
+    if stage.wants("collapse") {
+        let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
+            children, the branch with the largest box first.";
+        stage.diagram("collapse", caption, &wide_trees::draw()?)?;
+    }
+    if stage.wants("boxes") {
+        let caption = "Eight boxes and one ray. All lanes do the same sums at once. A box is met where the largest distance of entry \
+            is not above the smallest distance of leaving. The row “turn” tells the order in which the boxes are visited.";
+        stage.diagram("boxes", caption, &eight_boxes::draw()?)?;
+    }
 
     let mesh = &confetti.mesh;
     let (two, rays) = (

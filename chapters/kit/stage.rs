@@ -127,7 +127,7 @@ impl Stage {
     }
 
     /// Whether this picture is to be drawn: true, unless drawing ends after another picture, or was stopped. A chapter asks before
-    /// work that takes long.
+    /// each of its pictures.
     pub fn wants(&self, name: &str) -> bool {
         self.passed.borrow_mut().push(name.to_owned());
         let is_the_last = self.last.as_deref().is_none_or(|last| last == name);
@@ -180,7 +180,7 @@ impl Stage {
         film
     }
 
-    /// Writes a picture of radiance, if it is wanted: `name.exr` keeps it, `name.png` clamps it to what a display shows.
+    /// Writes a picture of radiance: `name.exr` keeps it, `name.png` clamps it to what a display shows.
     ///
     /// # Errors
     /// If a file cannot be written.
@@ -200,7 +200,7 @@ impl Stage {
         })
     }
 
-    /// Writes a figure, which is made for the display only, if it is wanted: `name.png`.
+    /// Writes a figure, which is made for the display only: `name.png`.
     ///
     /// # Errors
     /// If the file cannot be written.
@@ -208,7 +208,7 @@ impl Stage {
         self.write(name, caption, figure, || Ok((None, None)))
     }
 
-    /// Writes a drawing, if it is wanted: `name.svg`, sharp at every size, and `name.png` for where pixels are needed.
+    /// Writes a drawing: `name.svg`, sharp at every size, and `name.png` for where pixels are needed.
     ///
     /// # Errors
     /// If a file cannot be written.
@@ -239,7 +239,7 @@ impl Stage {
         Ok(())
     }
 
-    /// Writes a picture that is wanted, and adds it to the list; `beside` writes the EXR or the SVG, and returns their names.
+    /// Writes a picture, and adds it to the list; `beside` writes the EXR or the SVG, and returns their names.
     fn write(
         &self,
         name: &str,
@@ -248,9 +248,6 @@ impl Stage {
         beside: impl FnOnce() -> Result<(Option<PathBuf>, Option<PathBuf>), Box<dyn Error>>,
     ) -> Drawn {
         self.go_on()?;
-        if !self.wants(name) {
-            return Ok(());
-        }
         let (exr, svg) = beside()?;
         let rays = self.rate.take(self.options.threads());
         let png = self.folder.join(name).with_extension("png");

@@ -49,8 +49,8 @@ pub fn draw<A: Accel<Facet>>(
     let mesh = load(path)?;
     let film = stage.film_of(960, 4, 1.6);
     let (room, accel) = draw_picture(stage, &film, &mesh, build)?;
-    let map = heat(&small(&film), |place| room.ray(place), &accel);
-    draw_heat(stage, &map, boxes)
+    let map = || heat(&small(&film), |place| room.ray(place), &accel);
+    draw_heat(stage, map, boxes)
 }
 
 /// As [`draw`], by a list. The picture is so small that it does not take long; if it takes long all the same, a warning is
@@ -63,8 +63,8 @@ pub fn draw_by_list(stage: &Stage, path: &Path) -> Drawn {
     warn_of_list(&mesh);
     let film = film_of_list(stage, &mesh);
     let (room, list) = draw_picture(stage, &film, &mesh, |mesh| List::new(mesh.facets()))?;
-    let map = coarse(&film, |place| room.ray(place), &list);
-    draw_heat(stage, &map, "boxes tested")
+    let map = || coarse(&film, |place| room.ray(place), &list);
+    draw_heat(stage, map, "boxes tested")
 }
 
 /// Says what is faster, if a mesh is too large for a list.
@@ -119,7 +119,11 @@ fn draw_picture<A: Accel<Facet>>(
     Ok((room, accel))
 }
 
-fn draw_heat(stage: &Stage, map: &Heat, boxes: &str) -> Drawn {
+fn draw_heat(stage: &Stage, map: impl FnOnce() -> Heat, boxes: &str) -> Drawn {
+    if !stage.wants("heat") {
+        return Ok(());
+    }
+    let map = map();
     let each = |sum: u64| sum as f64 / map.rays().max(1) as f64;
     let caption = format!(
         "What each ray of the picture costs: {:.1} {boxes} and {:.1} triangles tested, on average.",

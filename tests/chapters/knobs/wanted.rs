@@ -27,7 +27,12 @@ fn what_is_not_wanted_costs_no_pixel() {
         let named = !stage.passed().is_empty();
         assert!(named, "{} names its pictures", lesson.name);
         assert_eq!(bar.position(), 0, "{} draws no pixel", lesson.name);
-        assert!(stage.into_outputs().is_empty(), "{}", lesson.name);
+        let drawn = stage.into_outputs();
+        assert!(
+            drawn.is_empty(),
+            "{} asks before each: {drawn:?}",
+            lesson.name
+        );
     }
 }
 

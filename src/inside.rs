@@ -3,6 +3,14 @@
 //!
 //! A user of the library does not need this module, and it is not stable: it changes with the internals. No arguments cause
 //! undefined behaviour. But functions that get numbers that do not make a tree may panic, never end or overflow the stack.
+//!
+//! ```
+//! use glam::{UVec3, Vec3};
+//! use raybook::inside::grid::grid_resolution;
+//!
+//! // A thousand shapes in a cube, with one cell per shape.
+//! assert_eq!(grid_resolution(Vec3::ONE, 1000, 1.0), UVec3::splat(10));
+//! ```
 
 pub use crate::accel::ray_box::RayBox;
 pub use crate::sample::pattern::neighbours::{Neighbours, Space};

@@ -4,6 +4,19 @@
 //! the radiance of each of its samples, and an integrator follows the rays. What a ray tracer needs is public; [`inside`] is
 //! for the course.
 //!
+//! ```
+//! use raybook::prelude::*;
+//!
+//! let ball = Thing::new(Sphere::new(Vec3::ZERO, 1.0), Conductor(Metal::GOLD));
+//! let scene = Scene::new(vec![ball], vec![]).surrounded_by(Rgb::BLACK, |_| Rgb::WHITE);
+//! let film = Film::new(9, 9, 4); // 9 × 9 pixels, with 4 samples each
+//! let camera = Pinhole::look_at(vec3(0.0, 0.0, 5.0), Vec3::ZERO, Vec3::Y, focal_length(40.0), film.aspect())?;
+//! let picture = film.render(&camera, &Sampler::Even, &Path::WHOLE, &scene);
+//! let gold = picture.at(4, 4);
+//! assert!(gold.r > gold.g && gold.g > gold.b, "gold reflects most of the red light, and least of the blue light");
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+//!
 //! The features `threads`, `files` and `mmap` are on by default. Without them there is one thread, and there are no files and no
 //! large pages, but the results are the same: so the library also runs in a browser.
 //!

@@ -1,4 +1,15 @@
 //! Blinn's variant of Phong's model as a physical BRDF: reciprocal and energy-conserving.
+//!
+//! ```
+//! use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
+//! use raybook::prelude::*;
+//!
+//! let [diffuse, specular] = [Rgb::gray(0.5), Rgb::gray(0.3)];
+//! let glossy = NormalisedBlinnPhong { diffuse, specular, exponent: 100.0 };
+//! let sharper = NormalisedBlinnPhong { exponent: 1000.0, ..glossy };
+//! let up = |material: NormalisedBlinnPhong| material.value(Dir3::Y, Dir3::Y, Dir3::Y).g;
+//! assert!(up(sharper) > 5.0 * up(glossy), "a smaller highlight is brighter");
+//! ```
 
 use crate::image::rgb::Rgb;
 use crate::material::Material;
@@ -12,17 +23,6 @@ use std::f32::consts::{FRAC_1_PI, PI};
 
 /// A matte part and a glossy one, whose highlight is a power of N·H (Blinn, "Models of light reflection for computer synthesized
 /// pictures", 1977). It reflects no more light than arrives if ρ_d + ρ_s ≤ 1.
-///
-/// ```
-/// use raybook::material::normalised_blinn_phong::NormalisedBlinnPhong;
-/// use raybook::prelude::*;
-///
-/// let [diffuse, specular] = [Rgb::gray(0.5), Rgb::gray(0.3)];
-/// let glossy = NormalisedBlinnPhong { diffuse, specular, exponent: 100.0 };
-/// let sharper = NormalisedBlinnPhong { exponent: 1000.0, ..glossy };
-/// let up = |material: NormalisedBlinnPhong| material.value(Dir3::Y, Dir3::Y, Dir3::Y).g;
-/// assert!(up(sharper) > 5.0 * up(glossy), "a smaller highlight is brighter");
-/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct NormalisedBlinnPhong {
     /// ρ_d: the share of the light that is scattered to all sides.

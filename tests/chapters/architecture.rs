@@ -255,6 +255,37 @@ fn the_race_of_pictures_locks_what_the_library_depends_on() {
     );
 }
 
+/// The packages that other programs use.
+const LIBRARIES: [&str; 2] = ["src/lib.rs", "chapters/scenes/src/lib.rs"];
+
+#[test]
+fn every_public_module_of_a_library_has_an_example() {
+    let mut open = LIBRARIES.map(String::from).to_vec();
+    let mut seen = 0;
+    while let Some(file) = open.pop() {
+        let text = read(&file);
+        let has_example = text.lines().any(|line| line == "//! ```");
+        assert!(has_example, "{file}: its documentation has no example");
+        seen += 1;
+        let below = ["/lib.rs", "/mod.rs", ".rs"]
+            .iter()
+            .find_map(|end| file.strip_suffix(end));
+        let below = below.expect("a file of Rust");
+        let public = text
+            .lines()
+            .filter_map(|line| line.strip_prefix("pub mod ")?.strip_suffix(';'));
+        open.extend(public.map(|module| {
+            let file = format!("{below}/{module}.rs");
+            if project(&file).is_file() {
+                file
+            } else {
+                format!("{below}/{module}/mod.rs")
+            }
+        }));
+    }
+    assert!(seen > 150, "the test must see them all; it saw {seen}");
+}
+
 /// Where each thing that implements one of the library's interfaces must be named: the file of its laws, or the folder of all tests.
 const NAMED: [(&str, &str); 5] = [
     (

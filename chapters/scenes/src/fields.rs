@@ -1,5 +1,17 @@
 //! A table of a file that people write in TOML, a scene or a course: every field that is read is checked, and a field that nobody
 //! reads is an error.
+//!
+//! ```
+//! use raybook_scenes::{fields::Fields, wrong::Source};
+//!
+//! let source = Source { path: "ball.toml".as_ref(), text: "radius_m = 2\ncolour = 0.5" };
+//! let table = source.parse()?;
+//! let ball = Fields::new(source, "a ball", 0, table.get_ref());
+//! assert_eq!(ball.length("radius_m")?, Some(2.0));
+//! let error = ball.finish().expect_err("nobody has read the colour");
+//! assert_eq!(error.to_string(), "ball.toml:2:1: a ball has no field `colour`; it has `radius_m`");
+//! # Ok::<(), raybook_scenes::wrong::TextError>(())
+//! ```
 
 use crate::values::{colour, described, number, place, three, whole};
 use crate::wrong::{Source, TextError, did_you_mean, listed, shown};

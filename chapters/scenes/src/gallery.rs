@@ -1,4 +1,13 @@
 //! The stock scenes of the course: files of the gallery, which chapters draw and `raybook render` too.
+//!
+//! ```
+//! use raybook_scenes::gallery::CORNELL;
+//!
+//! let shot = CORNELL.shot(64)?;
+//! assert_eq!(shot.picture.aspect(), 1.0);
+//! assert_eq!(shot.scene.lights.len(), 1);
+//! # Ok::<(), raybook_scenes::wrong::TextError>(())
+//! ```
 
 use crate::fields::Pictures;
 use crate::wrong::TextError;

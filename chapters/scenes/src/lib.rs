@@ -1,13 +1,33 @@
 //! Scene files: a scene, its camera and how it is rendered, as a text that people write. The book's page "Scene files" describes
 //! the format; `raybook render` draws them.
+//!
+//! ```
+//! use raybook::{image::rgb::Rgb, render::film::Film};
+//!
+//! let text = r#"
+//!     [camera]
+//!     from_m = [0, 0, 5]
+//!     to_m = [0, 0, 0]
+//!
+//!     [[shapes]]
+//!     kind = "sphere"
+//!     center_m = [0, 0, 0]
+//!     radius_m = 1
+//!     material = { kind = "glowing", radiance = 0.5 }
+//! "#;
+//! let shot = raybook_scenes::parse("ball.toml".as_ref(), text, Some(8))?;
+//! let picture = shot.render(&Film::new(8, 6, 1));
+//! assert_eq!([picture.at(4, 3), picture.at(0, 0)], [Rgb::gray(0.5), Rgb::BLACK]);
+//! # Ok::<(), raybook_scenes::wrong::TextError>(())
+//! ```
 
-pub mod camera;
+mod camera;
 pub mod fields;
 pub mod gallery;
-pub mod lights;
-pub mod materials;
+mod lights;
+mod materials;
 pub mod rendering;
-pub mod shapes;
+mod shapes;
 pub mod values;
 pub mod wrong;
 

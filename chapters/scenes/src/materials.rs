@@ -27,7 +27,7 @@ use std::sync::Arc;
 
 /// The materials of a scene by their names.
 #[derive(Default)]
-pub struct Materials {
+pub(crate) struct Materials {
     named: BTreeMap<String, Arc<dyn Material>>,
 }
 

@@ -1,4 +1,13 @@
 //! The picture's size, its samples, and how light is followed.
+//!
+//! ```
+//! use raybook_scenes::gallery::CORNELL;
+//!
+//! let picture = CORNELL.shot(64)?.picture;
+//! let half = picture.of_width(32);
+//! assert_eq!([picture.height, half.height], [64, 32]);
+//! # Ok::<(), raybook_scenes::wrong::TextError>(())
+//! ```
 
 use crate::fields::{Fields, Make};
 use crate::wrong::TextError;

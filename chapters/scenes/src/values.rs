@@ -1,4 +1,14 @@
 //! What values mean: numbers, vectors, colours.
+//!
+//! ```
+//! use raybook_scenes::{values::number, wrong::Source};
+//!
+//! let source = Source { path: "numbers.toml".as_ref(), text: "whole = 1_000\nshort = 0.5\ntext = '7'" };
+//! let table = source.parse()?;
+//! let values = ["whole", "short", "text"].map(|name| number(table.get_ref()[name].get_ref()));
+//! assert_eq!(values, [Some(1000.0), Some(0.5), None]);
+//! # Ok::<(), raybook_scenes::wrong::TextError>(())
+//! ```
 
 use glam::{Vec3, vec3};
 use raybook::image::rgb::Rgb;

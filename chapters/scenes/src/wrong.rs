@@ -1,4 +1,12 @@
 //! What can be wrong with a file that people write in TOML, and where.
+//!
+//! ```
+//! use raybook_scenes::wrong::Source;
+//!
+//! let source = Source { path: "ball.toml".as_ref(), text: "[camera]\nup = [0, 0, 0]" };
+//! let error = source.wrong(14, "this is no direction"); // the byte of the bracket after `up`
+//! assert_eq!(error.to_string(), "ball.toml:2:6: this is no direction");
+//! ```
 
 use raybook::store::StoreError;
 use std::path::{Path, PathBuf};

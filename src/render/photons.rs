@@ -56,7 +56,7 @@ pub struct Photon {
     pub surfaces: u32,
     /// Whether the surface ends within twice the radius within which the photon lights points. If not, the surface goes on for a radius
     /// around each of these points.
-    pub near_edge: bool,
+    near_edge: bool,
 }
 
 /// Photons that have come from the lights by mirrors and through glass, and by no other surfaces, to surfaces that scatter light (Jensen,

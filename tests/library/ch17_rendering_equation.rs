@@ -11,7 +11,6 @@ mod materials;
 mod mis;
 mod photons;
 mod strategies;
-mod view_factors;
 
 use glam::{Vec2, Vec3, vec2};
 use rand::RngExt;

@@ -1,4 +1,4 @@
-//! Snell's law and Fresnel's equations, at known numbers and everywhere.
+//! Snell's law and Fresnel's equations. Published values are in `tests/library/published/fresnel.rs`.
 
 use glam::{Vec3, vec3};
 use proptest::prelude::*;
@@ -17,25 +17,6 @@ fn by_angles(degrees: f64, n1: f64, n2: f64) -> [f64; 3] {
     let s = ((one - two).sin() / (one + two).sin()).powi(2);
     let p = ((one - two).tan() / (one + two).tan()).powi(2);
     [s, p, 0.5 * (s + p)]
-}
-
-#[test]
-fn known_angles_reflect_what_the_tables_say() {
-    for (degrees, n1, n2, exact) in [
-        (45.0, 1.0, 1.5, 0.050_239_9),
-        (10.0, 1.5, 1.0, 0.040_083_0),
-        (0.0, 1.0, 1.5, 0.04),
-        (0.0, 1.5, 1.0, 0.04),
-        (90.0, 1.0, 1.5, 1.0),
-        (41.8104, 1.5, 1.0, 1.0),
-        (60.0, 1.5, 1.0, 1.0),
-    ] {
-        let got = fresnel(cosine(degrees), n1, n2).unpolarised;
-        assert!(
-            (got - exact).abs() < 1e-5,
-            "from {n1} into {n2} at {degrees}°: R is {got}, not {exact}"
-        );
-    }
 }
 
 #[test]
@@ -67,10 +48,6 @@ fn every_angle_reflects_what_the_sines_and_tangents_say() {
 #[test]
 fn no_parallel_light_is_reflected_at_brewsters_angle() {
     let brewster = 1.5_f64.atan().to_degrees();
-    assert!(
-        (brewster - 56.3099).abs() < 1e-4,
-        "{brewster}° is in the table"
-    );
     let into = fresnel(cosine(brewster), 1.0, 1.5);
     let out = fresnel(cosine(90.0 - brewster), 1.5, 1.0);
     assert!(into.p < 1e-10 && out.p < 1e-10, "{} and {}", into.p, out.p);

@@ -1,4 +1,4 @@
-//! Numbers that are known from the theory.
+//! What is known from the theory. Published values are in `tests/library/published/deflection.rs`.
 
 use glam::{DVec3, dvec3};
 use raybook::render::curved::deflection::deflection_angle;
@@ -8,37 +8,14 @@ use raybook::render::curved::{CRITICAL, Photon};
 use raybook_chapters::ch21_black_hole::deflection_plot::followed;
 use std::ops::ControlFlow;
 
-/// Impact parameters, and by how much their rays are turned, in radians.
-const DEFLECTIONS: [(f64, f64); 9] = [
-    (2.6, 6.810_371_957),
-    (2.7, 2.919_396_340),
-    (3.0, 1.719_388_310),
-    (4.0, 0.858_730_018),
-    (5.0, 0.590_395_788),
-    (10.0, 0.236_135_995),
-    (20.0, 0.108_104_077),
-    (100.0, 0.020_299_966),
-    (1000.0, 0.002_002_951),
-];
-
 #[test]
-fn the_formula_gives_the_known_deflections() {
-    for (b, known) in DEFLECTIONS {
-        let got = deflection_angle(b).expect("it gets away");
-        assert!(
-            (got - known).abs() < 1e-8,
-            "b = {b}: {got} rad, and {known} is known"
-        );
-    }
-}
-
-#[test]
-fn rays_followed_step_by_step_are_turned_by_the_known_angles() {
-    for (b, known) in DEFLECTIONS {
+fn rays_followed_step_by_step_are_turned_by_the_angles_of_the_formula() {
+    for b in [2.6, 2.7, 3.0, 4.0, 5.0, 10.0, 20.0, 100.0, 1000.0] {
+        let formula = deflection_angle(b).expect("it gets away");
         let got = followed(b).expect("it gets away");
         assert!(
-            (got - known).abs() < 1e-4,
-            "b = {b}: {got} rad, and {known} is known"
+            (got - formula).abs() < 1e-4,
+            "b = {b}: {got} rad, and not {formula}"
         );
     }
 }
@@ -79,24 +56,9 @@ fn light_circles_on_the_photon_sphere() {
 }
 
 #[test]
-fn the_shadow_has_the_known_angles() {
-    for (r, degrees) in [
-        (1.5, 90.0),
-        (2.0, 66.716),
-        (3.0, 45.0),
-        (5.0, 27.695),
-        (10.0, 14.269),
-    ] {
-        let got = shadow_half_angle(r).to_degrees();
-        assert!(
-            (got - degrees).abs() < 1e-3,
-            "r = {r}: {got}°, not {degrees}°"
-        );
-    }
-    assert!(
-        shadow_half_angle(1.01).to_degrees() > 160.0,
-        "close to the horizon almost all of the sky is black"
-    );
+fn close_to_the_horizon_almost_all_of_the_sky_is_black() {
+    let angle = shadow_half_angle(1.01).to_degrees();
+    assert!(angle > 160.0, "{angle}°");
 }
 
 #[test]

@@ -99,15 +99,15 @@ def box_with_balls():
 
 
 def rows(name, scene):
-    """The means of the picture's blocks, a row for each."""
+    """The means of the picture's blocks and their standard errors, by the passes: a row for each block."""
     scene = mi.load_dict(scene)
-    passes = 16
-    picture = sum(np.array(mi.render(scene, spp=SAMPLES // passes, seed=SEED + i)) for i in range(passes)) / passes
-    for row in range(SIZE // BLOCK):
-        for column in range(SIZE // BLOCK):
-            part = picture[row * BLOCK : (row + 1) * BLOCK, column * BLOCK : (column + 1) * BLOCK]
-            red, green, blue = part.mean(axis=(0, 1))
-            print(f"{name},{row},{column},{red:.5f},{green:.5f},{blue:.5f}")
+    passes, blocks = 16, SIZE // BLOCK
+    pictures = [np.array(mi.render(scene, spp=SAMPLES // passes, seed=SEED + i)) for i in range(passes)]
+    means = np.array(pictures, dtype=np.float64).reshape(passes, blocks, BLOCK, blocks, BLOCK, 3).mean(axis=(2, 4))
+    numbers = np.concatenate([means.mean(axis=0), means.std(axis=0, ddof=1) / np.sqrt(passes)], axis=-1)
+    for row in range(blocks):
+        for column in range(blocks):
+            print(f"{name},{row},{column}," + ",".join(f"{v:.5f}" for v in numbers[row, column]))
 
 
 if __name__ == "__main__":

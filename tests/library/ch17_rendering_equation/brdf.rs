@@ -2,7 +2,7 @@
 
 use crate::ch17_rendering_equation::cells::Cells;
 use crate::ch17_rendering_equation::materials::{
-    Furnace, Reciprocal, Row, materials, modified_phong, normalised_blinn_phong,
+    ANGLES, Furnace, Reciprocal, Row, materials, modified_phong, normalised_blinn_phong,
 };
 use crate::ch17_rendering_equation::{direction, square, surface};
 use raybook::image::rgb::Rgb;
@@ -16,7 +16,7 @@ use raybook_common::statistics::Mean;
 /// The materials that have an f, for each of their views from above.
 fn scattering() -> Vec<(Row, Dir3)> {
     let rows = |i| materials().into_iter().map(move |row| (i, row));
-    let all = (0..4).flat_map(rows);
+    let all = (0..ANGLES.len()).flat_map(rows);
     let mut all: Vec<_> = all
         .map(|(i, row)| {
             let view = row.views()[i];

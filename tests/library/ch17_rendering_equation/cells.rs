@@ -13,6 +13,8 @@ const SECTORS: usize = 8;
 const CELLS: usize = 2 * ZONES * SECTORS;
 /// Points of a cell along each side, for its integral.
 const FINE: usize = 16;
+/// The golden ratio: the fractional parts of its multiples are spread evenly.
+const GOLDEN_RATIO: f32 = 1.618_034;
 /// Samples of a χ² test.
 const SAMPLES: u32 = 20_000;
 /// The expected number of samples that a cell needs: smaller cells count as one.
@@ -36,18 +38,22 @@ impl Cells {
         zone * SECTORS + sector.min(SECTORS - 1)
     }
 
-    /// ∫ f dω over each cell, by midpoints.
+    /// ∫ f dω over each cell, by points in rows. Each row is shifted by another part of the step between its points, so that an edge of f
+    /// along the rows' columns, as the horizon, lies between points in some rows and not in others.
     fn integrals(&self, f: impl Fn(Dir3) -> f32) -> [f64; CELLS] {
-        let around: [_; SECTORS * FINE] = std::array::from_fn(|j| {
-            (TAU * (j as f32 + 0.5) / (SECTORS * FINE) as f32 - PI).sin_cos()
-        });
+        let around: [_; SECTORS * FINE] =
+            std::array::from_fn(|j| (TAU * j as f32 / (SECTORS * FINE) as f32 - PI).sin_cos());
         let mut sums = [0.0; CELLS];
         for i in 0..ZONES * FINE {
             let t = (i as f32 + 0.5) / (ZONES * FINE) as f32;
             let (sin, cos) = (FRAC_PI_2 * t * t).sin_cos();
             // dω = sin θ dθ dφ with θ = π/2 t², so that dθ = π t dt.
             let piece = sin * PI * t / (ZONES * FINE) as f32 * TAU / (SECTORS * FINE) as f32;
-            for (j, (sin_phi, cos_phi)) in around.into_iter().enumerate() {
+            let shift = TAU * (i as f32 * GOLDEN_RATIO).fract() / (SECTORS * FINE) as f32;
+            let (sin_shift, cos_shift) = shift.sin_cos();
+            for (j, (s, c)) in around.into_iter().enumerate() {
+                let sin_phi = s * cos_shift + c * sin_shift;
+                let cos_phi = c * cos_shift - s * sin_shift;
                 for (half, z) in [cos, -cos].into_iter().enumerate() {
                     let d = vec3(sin * cos_phi, sin * sin_phi, z);
                     let d = Dir3::new(self.0.to_world(d)).expect("a direction");

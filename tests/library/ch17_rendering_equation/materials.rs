@@ -22,7 +22,17 @@ use raybook::material::{Material, polished::Polished};
 use raybook::math::{dir3::Dir3, pcg};
 use raybook::shape::{Surface, normal_map::NormalMap};
 use std::f64::consts::{PI, TAU};
-use std::ops::Range;
+
+/// Angles between viewers and the normal, in degrees: closer to each other where much depends on them, towards the horizon.
+pub const ANGLES: [f32; 6] = [0.0, 30.0, 55.0, 75.0, 85.0, 89.0];
+
+/// The metals by their names.
+const METALS: [(&str, Metal); 4] = [
+    ("gold", Metal::GOLD),
+    ("silver", Metal::SILVER),
+    ("copper", Metal::COPPER),
+    ("aluminium", Metal::ALUMINIUM),
+];
 
 /// What leaves to a viewer, if light of radiance 1 arrives from everywhere: ∫ f cos θ dω and the shares of the delta lobes.
 #[derive(Clone, Copy, Debug)]
@@ -85,17 +95,16 @@ impl Row {
         lobes
     }
 
-    /// Viewers above the surface: straight above, two anywhere, and one that looks nearly along it. Each material has its own.
-    pub fn views(&self) -> [Dir3; 4] {
+    /// Viewers above the surface, at all of the [`ANGLES`], each on a side by chance. Each material has its own.
+    pub fn views(&self) -> [Dir3; ANGLES.len()] {
         let name = self.name.bytes().map(u64::from);
         let stream = name.fold(0, |sum: u64, byte| sum.wrapping_mul(31).wrapping_add(byte));
         let mut rng = pcg::stream(8, stream);
-        let mut any = |cos: Range<f32>| {
-            let cos = rng.random_range(cos);
-            let (sin, around) = ((1.0 - cos * cos).sqrt(), rng.random_range(0.0..TAU as f32));
+        ANGLES.map(|degrees| {
+            let (sin, cos) = degrees.to_radians().sin_cos();
+            let around = rng.random_range(0.0..TAU as f32);
             direction(sin * around.cos(), sin * around.sin(), cos)
-        };
-        [Dir3::Z, any(0.1..1.0), any(0.1..1.0), any(0.02..0.1)]
+        })
     }
 
     /// Cells around the direction where a highlight is expected.
@@ -156,7 +165,6 @@ fn phong(diffuse: f64, specular: f64, exponent: f64) -> Phong {
 /// The materials of `src/material`, those with a lobe at several exponents or roughnesses.
 pub fn materials() -> Vec<Row> {
     use Furnace::{Always, AtMost, StraightUp};
-    let metal = Metal::GOLD;
     let squares = || Checkered(lambert(0.2), lambert(0.8));
     let bubble = Glass {
         outside: Medium::GLASS,
@@ -174,7 +182,6 @@ pub fn materials() -> Vec<Row> {
         row("a mirror, bumpy", Always(0.9), mirror(0.9)).at(bumpy()),
         row("glass", Always(1.0), Glass::of(Medium::GLASS)),
         row("a bubble in glass", Always(1.0), bubble),
-        row("smooth gold", AtMost(1.0), Conductor(metal)),
         row("polish over Lambert", Always(0.3 + 0.7 * 0.5), {
             let (mirror, below) = (mirror(0.3), lambert(0.5));
             Polished { mirror, below }
@@ -201,13 +208,25 @@ pub fn materials() -> Vec<Row> {
             rows.push(row(format!("normalised Blinn-Phong {parts}"), most, blinn));
         }
     }
-    for alpha in [0.05, 0.1, 0.3, 0.6, 1.0] {
-        let gold = Ggx { metal, alpha };
-        rows.push(row(format!("GGX {alpha}"), AtMost(1.0), gold));
+    for (name, metal) in METALS {
+        let smooth = Conductor(metal);
+        rows.push(row(format!("smooth {name}"), AtMost(1.0), smooth));
+        // What is chosen by chance does not depend on the metal: two roughnesses are enough for the others.
+        let alphas: &[f32] = match name {
+            "gold" => &[0.05, 0.1, 0.3, 0.6, 1.0],
+            _ => &[0.1, 0.6],
+        };
+        for &alpha in alphas {
+            let rough = Ggx { metal, alpha };
+            rows.push(row(format!("{name}, GGX {alpha}"), AtMost(1.0), rough));
+        }
     }
     let bumps = "modified Phong, bumpy";
     rows.push(row(bumps, StraightUp(0.9), modified_phong(0.3, 0.6, 7.0)).at(bumpy()));
-    let gold = Ggx { metal, alpha: 0.3 };
+    let gold = Ggx {
+        metal: Metal::GOLD,
+        alpha: 0.3,
+    };
     rows.push(row("GGX, bumpy", AtMost(1.0), gold).at(bumpy()));
     rows.extend(as_the_lecture_writes_them());
     rows

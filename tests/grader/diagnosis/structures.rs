@@ -104,7 +104,10 @@ fn nodes_of_an_octree_that_begin_elsewhere_are_named() {
             }
             Some(tree)
         });
-        assert_eq!((&*found.name, found.certain), (told, true));
+        // A step that goes wrong so is its cause, and told before it.
+        let mut names = found.also.iter().map(|also| &*also.name);
+        let is_told = found.name == told || names.any(|name| name == told);
+        assert!(is_told, "{told}: {found:?}");
     }
 }
 

@@ -155,7 +155,7 @@ pub(super) fn misplaced(q: &OctreeBuild, tree: &TreeRow) -> Option<&'static str>
         ),
         (
             0,
-            &|_, leaf| (leaf.first + 1).checked_sub(leaf.count),
+            &|_, leaf| leaf.first.checked_add(1)?.checked_sub(leaf.count),
             "each leaf has the place of its last name",
         ),
         (
@@ -202,7 +202,7 @@ pub(super) fn misplaced(q: &OctreeBuild, tree: &TreeRow) -> Option<&'static str>
 fn in_turn(tree: &TreeRow) -> Vec<u32> {
     let ends = tree.nodes.iter().scan(0, |end: &mut u32, node| {
         let begin = *end;
-        *end = end.saturating_add(node.count);
+        *end = end.saturating_add(if node.inner == 0 { node.count } else { 0 });
         Some(begin)
     });
     ends.collect()

@@ -48,18 +48,27 @@ type Begin = fn(inner: bool, node: f64, first: f64, count: f64, names: &[f64]) -
 #[test]
 fn nodes_of_an_octree_that_begin_elsewhere_are_named() {
     let behind: Begin = |inner, _, first, count, _| if inner { first } else { first + count };
-    let late: Begin = |inner, _, first, count, _| match inner {
-        false if count > 0.0 => first + 1.0,
-        _ => first,
+    let late: Begin = |inner, _, first, count, _| {
+        if !inner && count > 0.0 {
+            first + 1.0
+        } else {
+            first
+        }
     };
-    let at_last: Begin = |inner, _, first, count, _| match inner {
-        false if count > 0.0 => first + count - 1.0,
-        _ => first,
+    let at_last: Begin = |inner, _, first, count, _| {
+        if !inner && count > 0.0 {
+            first + count - 1.0
+        } else {
+            first
+        }
     };
     let at_0: Begin = |inner, _, first, _, _| if inner { first } else { 0.0 };
-    let first_shape: Begin = |inner, _, first, count, names| match inner {
-        false if count > 0.0 => names[first as usize],
-        _ => first,
+    let first_shape: Begin = |inner, _, first, count, names| {
+        if !inner && count > 0.0 {
+            names[first as usize]
+        } else {
+            first
+        }
     };
     let number_of_node: Begin = |inner, node, first, _, _| if inner { first } else { node };
     let last_child: Begin = |inner, _, first, _, _| if inner { first + 7.0 } else { first };

@@ -127,13 +127,55 @@ pub(super) fn is_tree(q: &OctreeBuild, tree: &TreeRow) -> Verdict {
     Ok(())
 }
 
+/// A way in which nodes may begin elsewhere.
+struct Elsewhere {
+    /// What is told of it.
+    why: &'static str,
+    /// Whether it is that of the nodes with children, or that of leaves that have names.
+    inner: u32,
+    /// Where a node begins that has this number and this row.
+    first: fn(node: u32, row: &NodeRow) -> Option<u32>,
+}
+
+const ELSEWHERE: &[Elsewhere] = &[
+    Elsewhere {
+        why: "each leaf begins behind its last name in the list",
+        inner: 0,
+        first: |_, leaf| leaf.first.checked_sub(leaf.count),
+    },
+    Elsewhere {
+        why: "each leaf begins one place too late in the list of names",
+        inner: 0,
+        first: |_, leaf| leaf.first.checked_sub(1),
+    },
+    Elsewhere {
+        why: "each leaf has the place of its last name",
+        inner: 0,
+        first: |_, leaf| leaf.first.checked_add(1)?.checked_sub(leaf.count),
+    },
+    Elsewhere {
+        why: "each node with children has a number that is 1 too large for its first child",
+        inner: 1,
+        first: |_, node| node.first.checked_sub(1),
+    },
+    Elsewhere {
+        why: "each node with children has the number of its last child",
+        inner: 1,
+        first: |_, node| node.first.checked_sub(7),
+    },
+    Elsewhere {
+        why: "each node with children tells how far behind it its first child is",
+        inner: 1,
+        first: |i, node| node.first.checked_add(i),
+    },
+];
+
 /// What is wrong with an answer that is a tree as soon as its leaves, or its nodes with children, begin elsewhere.
 pub(super) fn misplaced(q: &OctreeBuild, tree: &TreeRow) -> Option<&'static str> {
-    let is_tree_from = |inner: u32, first: &dyn Fn(usize, &NodeRow) -> Option<u32>| {
+    let is_tree_from = |inner: u32, first: &dyn Fn(u32, &NodeRow) -> Option<u32>| {
         let mut moved = tree.clone();
-        let is_meant = |node: &NodeRow| node.inner == inner && (inner == 1 || node.count > 0);
-        for (i, node) in moved.nodes.iter_mut().enumerate() {
-            if is_meant(node) {
+        for (i, node) in (0..).zip(&mut moved.nodes) {
+            if node.inner == inner && (inner == 1 || node.count > 0) {
                 let Some(first) = first(i, node) else {
                     return false;
                 };
@@ -142,60 +184,27 @@ pub(super) fn misplaced(q: &OctreeBuild, tree: &TreeRow) -> Option<&'static str>
         }
         is_tree(q, &moved).is_ok()
     };
-    let ways: [(u32, &dyn Fn(usize, &NodeRow) -> Option<u32>, _); 6] = [
-        (
-            0,
-            &|_, leaf| leaf.first.checked_sub(leaf.count),
-            "each leaf begins behind its last name in the list",
-        ),
-        (
-            0,
-            &|_, leaf| leaf.first.checked_sub(1),
-            "each leaf begins one place too late in the list of names",
-        ),
-        (
-            0,
-            &|_, leaf| leaf.first.checked_add(1)?.checked_sub(leaf.count),
-            "each leaf has the place of its last name",
-        ),
-        (
-            1,
-            &|_, node| node.first.checked_sub(1),
-            "each node with children has a number that is 1 too large for its first child",
-        ),
-        (
-            1,
-            &|_, node| node.first.checked_sub(7),
-            "each node with children has the number of its last child",
-        ),
-        (
-            1,
-            &|i, node| node.first.checked_add(i as u32),
-            "each node with children tells how far behind it its first child is",
-        ),
-    ];
-    let way = ways
+    let way = ELSEWHERE
         .iter()
-        .find(|(inner, first, _)| is_tree_from(*inner, first));
-    if let Some((.., why)) = way {
-        return Some(why);
+        .find(|way| is_tree_from(way.inner, &way.first));
+    if let Some(way) = way {
+        return Some(way.why);
     }
-    [in_turn(tree), depth_first(q, tree)]
-        .into_iter()
-        .find(|begins| is_tree_from(0, &|i, _| begins.get(i).copied()))
-        .map(|begins| {
-            let leaves = || {
-                let all = tree.nodes.iter().zip(&begins);
-                all.filter(|(node, _)| node.inner == 0 && node.count > 0)
-            };
-            if leaves().all(|(leaf, _)| leaf.first == 0) {
-                "each leaf begins at place 0 of the list of names"
-            } else if leaves().all(|(leaf, begin)| tree.names.get(*begin as usize) == Some(&leaf.first)) {
-                "each leaf has the number of its first shape, and not that name's place in the list"
-            } else {
-                "the names stand in the list leaf by leaf, and some leaf begins where the names of another are"
-            }
-        })
+    let mut orders = [in_turn(tree), depth_first(q, tree)].into_iter();
+    let begins = orders.find(|begins| is_tree_from(0, &|i, _| begins.get(i as usize).copied()))?;
+    let begun = tree.nodes.iter().zip(&begins);
+    let leaves = || {
+        let begun = begun.clone();
+        begun.filter(|(node, _)| node.inner == 0 && node.count > 0)
+    };
+    let name_at = |place: u32| tree.names.get(place as usize);
+    Some(if leaves().all(|(leaf, _)| leaf.first == 0) {
+        "each leaf begins at place 0 of the list of names"
+    } else if leaves().all(|(leaf, begin)| name_at(*begin) == Some(&leaf.first)) {
+        "each leaf has the number of its first shape, and not that name's place in the list"
+    } else {
+        "the names stand in the list leaf by leaf, and some leaf begins where the names of another are"
+    })
 }
 
 /// Where the names of each node begin, if those of the leaves stand in the list as the leaves do.

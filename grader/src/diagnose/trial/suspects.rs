@@ -121,7 +121,7 @@ fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>
 }
 
 /// What one answers who makes one of the exercise's own mistakes.
-fn own<'a>(examiner: &'a dyn Examiner, mistake: usize) -> Answer<'a> {
+fn own(examiner: &dyn Examiner, mistake: usize) -> Answer<'_> {
     Box::new(move |question| attempt(|| examiner.mistake_answers(mistake, question))?)
 }
 

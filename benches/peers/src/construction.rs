@@ -1,9 +1,10 @@
-//! How long building takes, and how much memory the result.
+//! How long building takes, how much memory the result, and what its tree costs.
 
 use crate::meshes::Scene;
 use crate::race::Ratios;
 use crate::racer::{Entry, Racer};
 use peak_alloc::PeakAlloc;
+use raybook_peers::sah::Sah;
 use std::time::Instant;
 
 /// Counts all memory of Rust's; Embree counts its own.
@@ -20,6 +21,8 @@ pub(crate) struct Built {
     seconds: [Vec<f64>; 2],
     /// Bytes that stay, the structure's copy of the triangles among them, per triangle of the mesh.
     pub bytes_per_triangle: f64,
+    /// What its tree costs, if it has one and tells it.
+    pub sah: Option<Sah>,
 }
 
 impl Built {
@@ -61,6 +64,14 @@ impl Built {
         }
         Ok(())
     }
+
+    /// Asks what the tree of the last build costs.
+    fn ask_cost(&mut self, scene: &Scene) -> Result<(), String> {
+        if let Some(racer) = &self.racer {
+            self.sah = Sah::of(&scene.mesh.bounds(), &racer.nodes(&scene.mesh)?);
+        }
+        Ok(())
+    }
 }
 
 /// Builds all of them in each of several rounds: whatever else the machine does meets all alike.
@@ -77,12 +88,16 @@ pub(crate) fn build(
         racer: None,
         seconds: [const { Vec::new() }; 2],
         bytes_per_triangle: 0.0,
+        sah: None,
     };
     let mut all: Vec<_> = entries.map(nothing).collect();
     for _ in 0..rounds {
         for one in &mut all {
             one.again(scene)?;
         }
+    }
+    for one in &mut all {
+        one.ask_cost(scene)?;
     }
     Ok(all)
 }

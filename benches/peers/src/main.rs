@@ -7,7 +7,7 @@ mod construction;
 mod forest;
 mod generated;
 mod meshes;
-mod plot;
+mod pictures;
 mod race;
 mod racer;
 mod racers;
@@ -108,7 +108,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
         save(&options.out, &rows, &how)?; // after each mesh: what was measured is not lost if the next one fails
     }
     println!(
-        "\n{} has ratios.csv, builds.csv, instances.csv, how.txt and ratios.png",
+        "\n{} has ratios, builds and instances as CSV and PNG, and how.txt",
         options.out.display()
     );
     Ok(())
@@ -117,7 +117,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
 fn save(folder: &Path, rows: &[Row], how: &[String]) -> Result<(), Box<dyn Error>> {
     std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
     report::write(folder, rows, how).map_err(|error| format!("{}: {error}", folder.display()))?;
-    plot::write(&folder.join("ratios.png"), rows, how)
+    pictures::write(folder, rows, how)
 }
 
 /// The machine, the compiler's flags and the sizes, in words.

@@ -1,32 +1,38 @@
-//! The picture of the race: for each set of rays a panel, in it a row for each structure, and in that a mark for each mesh.
+//! A picture of ratios: a panel for each kind of them, in it a row for each one that is compared, and in that a mark for each scene.
 
-use crate::meshes::NAMES as MESHES;
-use crate::report::{COLUMNS, Row};
 use plotters::element::{Circle, PathElement, Polygon, Rectangle};
 use plotters::prelude::{Color, RGBColor};
 use raybook::image::file;
-use raybook_chapters::kit::figure::{self, CENTRE, Canvas, LEFT, RIGHT, figure, text};
+use raybook_chapters::kit::figure::{self, CENTRE, Canvas, LEFT, RIGHT, figure, text, text_width};
 use raybook_chapters::kit::palette::{BLUE, FAINT, GREEN, INK, ORANGE, PURPLE, SKY, VERMILION};
 use raybook_chapters::kit::stage::Drawn;
 use std::path::Path;
 
 /// Sizes in pixels of the canvas, which is twice as wide and as high as the picture.
-const NAMES: i32 = 400;
-const PANEL: i32 = 500;
+const NAMES: i32 = 470;
 const GAP: i32 = 40;
 const ROW: i32 = 84;
 const HEAD: i32 = 190;
 const FOOT: i32 = 320;
-/// From one line below the legend, about the machine, to the next.
+/// Minimum width of a panel, and of the picture, so that its title and the lines below the legend have room.
+const PANEL: i32 = 500;
+const WIDTH: i32 = 3000;
+/// From one line below the legend to the next, and from the picture's edge to these lines.
 const LINE: i32 = 36;
+const MARGIN: i32 = 40;
+/// Height of the letters of the title, of the legend, and of the numbers below a panel.
+const TITLE: i32 = 44;
+const LEGEND: i32 = 36;
+const NUMBER: i32 = 32;
 
-/// The ratios that a panel shows, from its left to its right; what is slower or faster stands at its edges.
+/// The least ratio that is drawn in its place: what is slower stands at the edge.
 const LEAST: f64 = 0.02;
-const MOST: f64 = 6.0;
-/// The ratios with a line and a number.
-const TICKS: [f64; 7] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0];
+/// The ratios with a line and a number, where a panel reaches them.
+const TICKS: [f64; 11] = [0.03, 0.1, 0.25, 0.5, 1.0, 2.0, 4.0, 10.0, 25.0, 50.0, 100.0];
+/// From the outermost marks to the edges of a panel, as a factor.
+const ROOM: f64 = 1.15;
 
-/// A colour and a form for each mesh: either would do.
+/// A colour and a form for each scene: either would do.
 const MARKS: [(RGBColor, Form); 9] = [
     (SKY, Form::Ring),
     (BLUE, Form::Disc),
@@ -50,117 +56,156 @@ enum Form {
     Cross,
 }
 
-/// Draws it and writes it as PNG.
-///
-/// # Errors
-/// If it cannot be drawn or written.
-pub(crate) fn write(path: &Path, rows: &[Row], how: &[String]) -> Drawn {
-    let rows: Vec<&Row> = rows
-        .iter()
-        .filter(|row| row.structure != "Embree")
-        .collect();
-    let mut structures: Vec<&Row> = Vec::new();
-    for row in &rows {
-        if structures
-            .iter()
-            .all(|known| known.structure != row.structure)
-        {
-            structures.push(row);
+/// A ratio, and where it is drawn.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Ratio {
+    /// The name of its panel.
+    pub panel: String,
+    /// The name of its row.
+    pub row: String,
+    /// Whether the row is raybook's.
+    pub ours: bool,
+    /// The scene, by its place in [`Picture::scenes`].
+    pub scene: usize,
+    /// The ratio.
+    pub ratio: f64,
+    /// What it scatters between.
+    pub spread: [f64; 2],
+}
+
+/// What a picture shows. Panels come in the order of the ratios, and so do rows, raybook's first.
+#[derive(Clone, Copy, Debug)]
+pub struct Picture<'a> {
+    /// Above the panels.
+    pub title: &'a str,
+    /// The names of the scenes, each with a mark of its own.
+    pub scenes: &'a [&'a str],
+    /// What is drawn.
+    pub ratios: &'a [Ratio],
+    /// Lines below: the machine, and what the numbers are.
+    pub how: &'a [String],
+}
+
+impl Picture<'_> {
+    /// Draws it and writes it as PNG; nothing, if there is nothing to draw.
+    ///
+    /// # Errors
+    /// If it cannot be drawn or written.
+    pub fn write(&self, path: &Path) -> Drawn {
+        let panels = names(self.ratios.iter().map(|ratio| &*ratio.panel));
+        if panels.is_empty() {
+            return Ok(());
         }
-    }
-    structures.sort_by_key(|row| !row.ours);
-    let is_there = |column: &&str| rows.iter().any(|row| row.column() == *column);
-    let columns: Vec<_> = COLUMNS.into_iter().filter(is_there).collect();
-    if columns.is_empty() {
-        return Ok(());
-    }
-    let width = NAMES + (PANEL + GAP) * columns.len() as i32;
-    let height = HEAD + ROW * structures.len() as i32 + FOOT;
-    let image = figure(width as u32 / 2, height as u32 / 2, |canvas| {
-        let middle = NAMES + (width - NAMES - GAP) / 2;
-        let title = "Rays per second, as a multiple of Embree's in the same round (one thread, one ray at a time; “many”: a batch)";
-        figure::write(canvas, title, (middle, 48), text(44).pos(CENTRE))?;
-        for (i, row) in (0..).zip(&structures) {
-            let top = HEAD + ROW * i;
-            if row.ours {
-                let band = [(0, top), (width - GAP / 2, top + ROW)];
-                canvas.draw(&Rectangle::new(band, SKY.mix(0.12).filled()))?;
+        let ours = self.ratios.iter().filter(|ratio| ratio.ours);
+        let others = self.ratios.iter().filter(|ratio| !ratio.ours);
+        let rows = names(ours.clone().chain(others).map(|ratio| &*ratio.row));
+        let is_ours = |row: &str| ours.clone().any(|ratio| ratio.row == row);
+        let across = panels.len() as i32;
+        let panel = PANEL.max((WIDTH - NAMES) / across - GAP);
+        let width = NAMES + (panel + GAP) * across;
+        let bottom = HEAD + ROW * rows.len() as i32;
+        let image = figure(width as u32 / 2, (bottom + FOOT) as u32 / 2, |canvas| {
+            let middle = (width / 2, 48);
+            figure::write(canvas, self.title, middle, text(TITLE).pos(CENTRE))?;
+            for (row, top) in rows.iter().zip((HEAD..).step_by(ROW as usize)) {
+                if is_ours(row) {
+                    let band = [(0, top), (width - GAP / 2, top + ROW)];
+                    canvas.draw(&Rectangle::new(band, SKY.mix(0.12).filled()))?;
+                }
+                let end = (NAMES - 30, top + ROW / 2);
+                figure::write(canvas, row, end, text(38).pos(RIGHT))?;
             }
-            figure::write(
-                canvas,
-                row.structure,
-                (NAMES - 30, top + ROW / 2),
-                text(38).pos(RIGHT),
-            )?;
+            for (i, name) in (0..).zip(&panels) {
+                let left = NAMES + (panel + GAP) * i;
+                self.panel(canvas, name, &rows, left..left + panel, bottom)?;
+            }
+            self.legend(canvas, (NAMES, bottom + 146))?;
+            for (line, y) in self.how.iter().zip((bottom + 216..).step_by(LINE as usize)) {
+                figure::write(canvas, line, (MARGIN, y), text(26).pos(LEFT))?;
+            }
+            Ok(())
+        })?;
+        Ok(file::save(path, &image.pixels)?)
+    }
+
+    fn panel(
+        &self,
+        canvas: &Canvas,
+        name: &str,
+        rows: &[&str],
+        across: std::ops::Range<i32>,
+        bottom: i32,
+    ) -> Drawn {
+        let middle = i32::midpoint(across.start, across.end);
+        figure::write(canvas, name, (middle, HEAD - 44), text(40).pos(CENTRE))?;
+        let all = || self.ratios.iter();
+        // All panels have the same scale, which always has the 1 in it.
+        let least = all().map(|r| r.ratio).fold(1.0, f64::min).max(LEAST) / ROOM;
+        let most = all().map(|r| r.ratio).fold(1.0, f64::max) * ROOM;
+        let x = |ratio: f64| {
+            let part = (ratio.clamp(least, most) / least).ln() / (most / least).ln();
+            across.start + (f64::from(across.end - across.start) * part) as i32
+        };
+        let mut free = i32::MIN; // from where on a number has room
+        for tick in TICKS
+            .into_iter()
+            .filter(|tick| (least..most).contains(tick))
+        {
+            let (colour, wide) = if tick == 1.0 { (INK, 5) } else { (FAINT, 2) };
+            let line = vec![(x(tick), HEAD), (x(tick), bottom)];
+            canvas.draw(&PathElement::new(line, colour.stroke_width(wide)))?;
+            let number = tick.to_string();
+            let half = text_width(&number, NUMBER.into())? as i32 / 2;
+            if x(tick) - half >= free {
+                let at = (x(tick), bottom + 32);
+                figure::write(canvas, &number, at, text(NUMBER).pos(CENTRE))?;
+                free = x(tick) + half + 6;
+            }
         }
-        for (i, column) in (0..).zip(&columns) {
-            let left = NAMES + (PANEL + GAP) * i;
-            panel(canvas, left, column, &structures, &rows)?;
-        }
-        legend(canvas, &rows, (NAMES, height - FOOT + 146))?;
-        for (i, line) in (0..).zip(how) {
-            let at = (NAMES, height - FOOT + 216 + LINE * i);
-            figure::write(canvas, line, at, text(26).pos(LEFT))?;
+        for ratio in all().filter(|ratio| ratio.panel == name) {
+            let Some(row) = rows.iter().position(|row| *row == ratio.row) else {
+                continue;
+            };
+            // The scenes one under the other: they do not hide each other.
+            let part = (2 * ratio.scene as i32 + 1) * (ROW - 24) / (2 * self.scenes.len() as i32);
+            let y = HEAD + ROW * row as i32 + 12 + part;
+            let spread = ratio.spread.map(|end| (x(end), y)).to_vec();
+            let (colour, _) = MARKS[ratio.scene % MARKS.len()];
+            canvas.draw(&PathElement::new(spread, colour.stroke_width(3)))?;
+            mark(canvas, ratio.scene, (x(ratio.ratio), y))?;
         }
         Ok(())
-    })?;
-    Ok(file::save(path, &image.pixels)?)
+    }
+
+    /// The marks and the names of the scenes that are drawn, if there are several.
+    fn legend(&self, canvas: &Canvas, (mut x, y): (i32, i32)) -> Drawn {
+        if self.scenes.len() < 2 {
+            return Ok(());
+        }
+        for (scene, name) in self.scenes.iter().enumerate() {
+            if self.ratios.iter().any(|ratio| ratio.scene == scene) {
+                mark(canvas, scene, (x, y))?;
+                figure::write(canvas, name, (x + 26, y), text(LEGEND).pos(LEFT))?;
+                x += 100 + text_width(name, LEGEND.into())? as i32;
+            }
+        }
+        Ok(())
+    }
 }
 
-fn panel(canvas: &Canvas, left: i32, column: &str, structures: &[&Row], rows: &[&Row]) -> Drawn {
-    let bottom = HEAD + ROW * structures.len() as i32;
-    let x = |ratio: f64| {
-        let part = (ratio.max(LEAST) / LEAST).ln() / (MOST / LEAST).ln();
-        left + (f64::from(PANEL) * part.min(1.0)) as i32
-    };
-    figure::write(
-        canvas,
-        column,
-        (left + PANEL / 2, HEAD - 44),
-        text(40).pos(CENTRE),
-    )?;
-    for tick in TICKS {
-        let (colour, wide) = if tick == 1.0 { (INK, 5) } else { (FAINT, 2) };
-        let line = vec![(x(tick), HEAD), (x(tick), bottom)];
-        canvas.draw(&PathElement::new(line, colour.stroke_width(wide)))?;
-        let number = format!("{tick}");
-        figure::write(
-            canvas,
-            &number,
-            (x(tick), bottom + 32),
-            text(32).pos(CENTRE),
-        )?;
-    }
-    for row in rows.iter().filter(|row| row.column() == column) {
-        let here = |other: &&Row| other.structure == row.structure;
-        let (Some(i), Some(mesh)) = (
-            structures.iter().position(here),
-            MESHES.iter().position(|name| *name == row.mesh),
-        ) else {
-            continue;
-        };
-        // The meshes one under the other: they do not hide each other.
-        let spread = (ROW - 24) * (2 * mesh as i32 + 1) / (2 * MESHES.len() as i32);
-        let y = HEAD + ROW * i as i32 + 12 + spread;
-        mark(canvas, mesh, (x(row.lap.ratios.median()), y))?;
-    }
-    Ok(())
-}
-
-fn legend(canvas: &Canvas, rows: &[&Row], (left, y): (i32, i32)) -> Drawn {
-    let mut x = left;
-    for (mesh, name) in MESHES.iter().enumerate() {
-        if rows.iter().any(|row| row.mesh == *name) {
-            mark(canvas, mesh, (x, y))?;
-            figure::write(canvas, name, (x + 26, y), text(36).pos(LEFT))?;
-            x += 250;
+/// The names, each once, in the order in which they come.
+fn names<'a>(all: impl Iterator<Item = &'a str>) -> Vec<&'a str> {
+    let mut names = Vec::new();
+    for name in all {
+        if !names.contains(&name) {
+            names.push(name);
         }
     }
-    Ok(())
+    names
 }
 
-fn mark(canvas: &Canvas, mesh: usize, (x, y): (i32, i32)) -> Drawn {
-    let (colour, form) = MARKS[mesh % MARKS.len()];
+fn mark(canvas: &Canvas, scene: usize, (x, y): (i32, i32)) -> Drawn {
+    let (colour, form) = MARKS[scene % MARKS.len()];
     let polygon = |corners: &[(i32, i32)]| {
         let corners: Vec<_> = corners.iter().map(|(dx, dy)| (x + dx, y + dy)).collect();
         Polygon::new(corners, colour.filled())

@@ -36,6 +36,11 @@ impl Ratios {
         Self(theirs.iter().zip(ours).map(|(t, o)| t / o).collect())
     }
 
+    /// A ratio that is the same in every round.
+    pub(crate) fn once(ratio: f64) -> Self {
+        Self(vec![ratio])
+    }
+
     /// The median of the rounds.
     pub(crate) fn median(&self) -> f64 {
         median(self.0.clone())

@@ -2,6 +2,8 @@
 
 use crate::meshes::Scene;
 use raybook::math::{interval::Interval, ray::Ray};
+use raybook::shape::mesh::Mesh;
+use raybook_peers::sah::Node;
 
 /// A ray, and the stretch of it that counts.
 pub(crate) type Question = (Ray, Interval);
@@ -26,6 +28,14 @@ pub(crate) trait Search: Send + Sized {
     fn bytes(&self) -> Option<usize> {
         None
     }
+
+    /// The nodes of its tree of boxes over this mesh, the root among them, in any order; none if it has no such tree, or keeps it to itself.
+    ///
+    /// # Errors
+    /// If another builder, which is asked for the tree, fails.
+    fn nodes(&self, _mesh: &Mesh) -> Result<Vec<Node>, String> {
+        Ok(Vec::new())
+    }
 }
 
 /// The same for whole sets of rays, so that only one call in thousands is an indirect one.
@@ -36,6 +46,9 @@ pub(crate) trait Racer: Send {
 
     /// See [`Search::bytes`].
     fn bytes(&self) -> Option<usize>;
+
+    /// See [`Search::nodes`].
+    fn nodes(&self, mesh: &Mesh) -> Result<Vec<Node>, String>;
 }
 
 impl<S: Search> Racer for S {
@@ -54,6 +67,10 @@ impl<S: Search> Racer for S {
 
     fn bytes(&self) -> Option<usize> {
         Search::bytes(self)
+    }
+
+    fn nodes(&self, mesh: &Mesh) -> Result<Vec<Node>, String> {
+        Search::nodes(self, mesh)
     }
 }
 

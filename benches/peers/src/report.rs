@@ -5,6 +5,7 @@ use crate::race::{Lap, Ratios};
 use crate::racer::Query;
 use crate::racers::INSTANCES;
 use raybook_common::machine::comments;
+use raybook_peers::sah::Sah;
 use std::fmt::Write;
 use std::io;
 use std::path::Path;
@@ -27,6 +28,8 @@ pub(crate) struct Row {
     pub build_ratios: [Ratios; 2],
     /// Its memory.
     pub bytes_per_triangle: f64,
+    /// What its tree costs, if that is known.
+    pub sah: Option<Sah>,
 }
 
 impl Row {
@@ -47,6 +50,7 @@ impl Row {
             build: built.best(),
             build_ratios: built.ratios(embree),
             bytes_per_triangle: built.bytes_per_triangle,
+            sah: built.sah,
         }
     }
 
@@ -70,9 +74,12 @@ pub(crate) const COLUMNS: [&str; 7] = [
     "diffuse, many",
 ];
 
-/// The table of one mesh.
+/// Width of the names of structures.
+const NAME: usize = 20;
+
+/// The table of one mesh, and below it what the trees cost and what two levels cost.
 pub(crate) fn table(rows: &[Row]) -> String {
-    let mut text = format!("{:18}", "");
+    let mut text = format!("{:NAME$}", "");
     for column in COLUMNS {
         let _ = write!(text, "{:>10}", column.replace(", many", "+"));
     }
@@ -83,7 +90,7 @@ pub(crate) fn table(rows: &[Row]) -> String {
     );
     for name in structures(rows) {
         let own: Vec<_> = rows.iter().filter(|row| row.structure == name).collect();
-        let _ = write!(text, "{name:18}");
+        let _ = write!(text, "{name:NAME$}");
         for column in COLUMNS {
             let cell = own.iter().find(|row| row.column() == column).map(|row| {
                 if name == "Embree" {
@@ -106,19 +113,44 @@ pub(crate) fn table(rows: &[Row]) -> String {
             own[0].bytes_per_triangle,
         );
     }
+    text += &costs(rows);
     for (row, ratios) in two_levels(rows) {
         let (name, set, [low, high]) = (row.structure, row.set, ratios.spread());
         let ratio = ratios.median();
         let _ = writeln!(
             text,
-            "{name:18}{set:>10}: {ratio:.2} [{low:.2}–{high:.2}] of all triangles in one level"
+            "{name:NAME$}{set:>10}: {ratio:.2} [{low:.2}–{high:.2}] of all triangles in one level"
         );
     }
     text
 }
 
+/// A line for each tree whose cost is known.
+fn costs(rows: &[Row]) -> String {
+    let mut text = format!("{:NAME$}", "SAH");
+    for column in ["cost", "nodes", "leaves", "boxes", "triangles"] {
+        let _ = write!(text, "{column:>10}");
+    }
+    text.push('\n');
+    for name in structures(rows) {
+        let known = rows.iter().find(|row| row.structure == name);
+        if let Some(sah) = known.and_then(|row| row.sah) {
+            let _ = writeln!(
+                text,
+                "{name:NAME$}{:>10.2}{:>10.2}{:>10.2}{:>10.1}{:>10.2}",
+                sah.cost(),
+                sah.nodes,
+                sah.leaves,
+                sah.boxes,
+                sah.triangles
+            );
+        }
+    }
+    text
+}
+
 /// What two levels cost: of each structure over instances a line, the ratios of its speed to that of the same over all triangles.
-fn two_levels(rows: &[Row]) -> impl Iterator<Item = (&Row, Ratios)> {
+pub(crate) fn two_levels(rows: &[Row]) -> impl Iterator<Item = (&Row, Ratios)> {
     rows.iter().filter_map(|row| {
         let [_, flat] = INSTANCES.iter().find(|[name, _]| *name == row.structure)?;
         let flat = |other: &&Row| {
@@ -165,6 +197,7 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             build,
             build_ratios,
             bytes_per_triangle: bytes,
+            sah,
             ..
         } = row;
         let query = lap.query.name();
@@ -174,18 +207,30 @@ pub(crate) fn write(folder: &Path, rows: &[Row], how: &[String]) -> io::Result<(
             ratios,
             "{mesh},{set},{query},{structure},{ratio:.4},{low:.4},{high:.4},{agree:.6},{alone:.4},{bytes:.1}"
         );
+        let sah = sah.map_or(String::from(",,,,"), |sah| {
+            let Sah {
+                nodes,
+                leaves,
+                boxes,
+                triangles,
+                ..
+            } = sah;
+            let cost = sah.cost();
+            format!("{cost:.4},{nodes:.4},{leaves:.4},{boxes:.3},{triangles:.4}")
+        });
         for (threads, (seconds, ratios)) in (1..).zip(build.iter().zip(build_ratios)) {
             let (ratio, [low, high]) = (ratios.median(), ratios.spread());
             let line = format!(
-                "{mesh},{structure},{threads},{seconds:.4},{ratio:.3},{low:.3},{high:.3},{bytes:.1}\n"
+                "{mesh},{structure},{threads},{seconds:.4},{ratio:.3},{low:.3},{high:.3},{bytes:.1},{sah}\n"
             );
             if !builds.contains(&line) {
                 builds.push(line);
             }
         }
     }
-    let builds = head("mesh,structure,threads,build_s,ratio,ratio_10,ratio_90,bytes_per_triangle")
-        + &builds.concat();
+    let builds = head(
+        "mesh,structure,threads,build_s,ratio,ratio_10,ratio_90,bytes_per_triangle,sah,sah_nodes,sah_leaves,sah_boxes,sah_triangles",
+    ) + &builds.concat();
     let mut instances = head("mesh,set,structure,ratio,ratio_10,ratio_90");
     for (row, ratios) in two_levels(rows) {
         let Row {

@@ -4,11 +4,14 @@
 use crate::racer::{MISS, Question, Search};
 use bvh::aabb::{Aabb, Bounded};
 use bvh::bounding_hierarchy::{BHShape, BoundingHierarchy};
-use bvh::bvh::Bvh as Tree;
+use bvh::bvh::{Bvh as Tree, BvhNode};
 use bvh::ray::Ray;
+use glam::Vec3;
 use nalgebra::{Point3, Vector3};
+use raybook::math::aabb;
 use raybook::shape::mesh::Mesh;
 use raybook::shape::{Shape, triangle::Triangle};
+use raybook_peers::sah::{Inside, Node};
 
 /// Its tree of two children.
 pub(crate) struct Bvh {
@@ -83,4 +86,33 @@ impl Search for Bvh {
             .traverse_iterator(&ray, &self.triangles)
             .any(|placed| placed.triangle.blocks(&question.0, question.1))
     }
+
+    /// A node knows its children's boxes, and a leaf has one triangle.
+    fn nodes(&self, mesh: &Mesh) -> Result<Vec<Node>, String> {
+        let nodes = &self.tree.nodes;
+        let inside = |i: usize| match nodes[i] {
+            BvhNode::Leaf { .. } => Inside::Triangles(1),
+            BvhNode::Node { .. } => Inside::Children(2),
+        };
+        let root = nodes.first().map(|_| (mesh.bounds(), inside(0)));
+        let below = nodes.iter().flat_map(|node| match node {
+            BvhNode::Leaf { .. } => Vec::new(),
+            BvhNode::Node {
+                child_l_index: left,
+                child_l_aabb: of_left,
+                child_r_index: right,
+                child_r_aabb: of_right,
+                ..
+            } => vec![
+                (bounds(of_left), inside(*left)),
+                (bounds(of_right), inside(*right)),
+            ],
+        });
+        Ok(root.into_iter().chain(below).collect())
+    }
+}
+
+fn bounds(of: &Aabb<f32, 3>) -> aabb::Aabb {
+    let [min, max] = [of.min, of.max].map(|p| Vec3::new(p.x, p.y, p.z));
+    aabb::Aabb::new(min, max)
 }

@@ -1,14 +1,16 @@
-//! Embree 3, as its users call it: high build quality, default flags, one ray at a time.
+//! Embree 3, as its users call it: high or medium build quality, default flags, one ray at a time.
 
 use crate::forest::Place;
 use crate::meshes;
 use crate::racer::{MISS, Question, Racer, Search};
+use crate::racers::embree_tree;
 use embree3::{
     BufferUsage, BuildQuality, Config, Device, Error, Format, GeometryKind, IntersectContext, Ray,
     RayHit, Scene, SceneFlags,
 };
 use glam::{Mat4, Quat, Vec2, Vec3};
 use raybook::shape::{Hit, mesh::Mesh};
+use raybook_peers::sah::Node;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicIsize, Ordering};
 
@@ -17,9 +19,11 @@ pub(crate) struct Embree {
     scene: Scene<'static>,
     /// What Embree has allocated since before the scene was made; the memory of the mesh's buffers counts too.
     bytes: usize,
+    /// The quality with which its builder makes the same tree; none for instances, which are in two trees.
+    quality: Option<BuildQuality>,
 }
 
-/// Builds it.
+/// Builds it with high quality.
 ///
 /// # Errors
 /// If Embree fails.
@@ -27,7 +31,20 @@ pub(crate) fn build(scene: &meshes::Scene, threads: usize) -> Result<Box<dyn Rac
     Ok(Box::new(Embree::new(&scene.mesh, threads)?))
 }
 
-/// Builds it in its robust mode, whose triangle test is watertight.
+/// Builds it with medium quality, which is Embree's default.
+///
+/// # Errors
+/// If Embree fails.
+pub(crate) fn build_medium(
+    scene: &meshes::Scene,
+    threads: usize,
+) -> Result<Box<dyn Racer>, String> {
+    let (medium, mesh) = (BuildQuality::MEDIUM, &scene.mesh);
+    let of_mesh = |device: &Device| of_mesh(device, mesh, medium, SceneFlags::NONE);
+    Ok(Box::new(Embree::with(threads, Some(medium), of_mesh)?))
+}
+
+/// Builds it in its robust mode, whose triangle test is watertight. There a build of high quality is one of medium quality.
 ///
 /// # Errors
 /// If Embree fails.
@@ -35,8 +52,10 @@ pub(crate) fn build_robust(
     scene: &meshes::Scene,
     threads: usize,
 ) -> Result<Box<dyn Racer>, String> {
-    let of_mesh = |device: &Device| of_mesh(device, &scene.mesh, SceneFlags::ROBUST);
-    Ok(Box::new(Embree::with(threads, of_mesh)?))
+    let mesh = &scene.mesh;
+    let of_mesh = |device: &Device| of_mesh(device, mesh, BuildQuality::HIGH, SceneFlags::ROBUST);
+    let told = Some(BuildQuality::MEDIUM);
+    Ok(Box::new(Embree::with(threads, told, of_mesh)?))
 }
 
 /// Builds it of instances: a scene of the tree, and a scene of its places.
@@ -48,9 +67,10 @@ pub(crate) fn build_instances(
     threads: usize,
 ) -> Result<Box<dyn Racer>, String> {
     let forest = scene.forest.as_ref().ok_or("this scene has no instances")?;
-    Ok(Box::new(Embree::with(threads, |device| {
-        let tree = of_mesh(device, &forest.tree, SceneFlags::NONE)?;
-        let mut all = empty(device, SceneFlags::NONE)?;
+    Ok(Box::new(Embree::with(threads, None, |device| {
+        let (quality, flags) = (BuildQuality::HIGH, SceneFlags::NONE);
+        let tree = of_mesh(device, &forest.tree, quality, flags)?;
+        let mut all = empty(device, quality, flags)?;
         for place in &forest.places {
             let Place {
                 scale,
@@ -70,17 +90,26 @@ pub(crate) fn build_instances(
     })?))
 }
 
-/// A scene of high build quality (Embree's own default is medium), with nothing in it.
-fn empty(device: &Device, flags: SceneFlags) -> Result<Scene<'static>, Error> {
+/// A scene with nothing in it.
+fn empty(
+    device: &Device,
+    quality: BuildQuality,
+    flags: SceneFlags,
+) -> Result<Scene<'static>, Error> {
     let mut scene = device.create_scene()?;
-    scene.set_build_quality(BuildQuality::HIGH);
+    scene.set_build_quality(quality);
     scene.set_flags(flags);
     Ok(scene)
 }
 
 /// A scene of a mesh.
-fn of_mesh(device: &Device, mesh: &Mesh, flags: SceneFlags) -> Result<Scene<'static>, Error> {
-    let mut scene = empty(device, flags)?;
+fn of_mesh(
+    device: &Device,
+    mesh: &Mesh,
+    quality: BuildQuality,
+    flags: SceneFlags,
+) -> Result<Scene<'static>, Error> {
+    let mut scene = empty(device, quality, flags)?;
     let mut geometry = device.create_geometry(GeometryKind::TRIANGLE)?;
     let positions: Vec<_> = mesh.positions().iter().map(Vec3::to_array).collect();
     geometry
@@ -96,17 +125,21 @@ fn of_mesh(device: &Device, mesh: &Mesh, flags: SceneFlags) -> Result<Scene<'sta
 }
 
 impl Embree {
-    /// A scene of a mesh, made by this number of threads.
+    /// A scene of a mesh, made by this number of threads with high quality.
     ///
     /// # Errors
     /// If Embree fails.
     pub(crate) fn new(mesh: &Mesh, threads: usize) -> Result<Self, String> {
-        Self::with(threads, |device| of_mesh(device, mesh, SceneFlags::NONE))
+        let high = BuildQuality::HIGH;
+        Self::with(threads, Some(high), |device| {
+            of_mesh(device, mesh, high, SceneFlags::NONE)
+        })
     }
 
-    /// A scene that `make` makes with a device of this number of threads.
+    /// A scene that `make` makes with a device of this number of threads, whose tree has this quality.
     fn with(
         threads: usize,
+        quality: Option<BuildQuality>,
         make: impl FnOnce(&Device) -> Result<Scene<'static>, Error>,
     ) -> Result<Self, String> {
         let told = |error: Error| format!("Embree: {error}");
@@ -126,6 +159,7 @@ impl Embree {
             Error::NONE => Ok(Self {
                 scene,
                 bytes: allocated.load(Ordering::Relaxed).max(0) as usize,
+                quality,
             }),
             error => Err(told(error)),
         }
@@ -161,5 +195,10 @@ impl Search for Embree {
 
     fn bytes(&self) -> Option<usize> {
         Some(self.bytes)
+    }
+
+    fn nodes(&self, mesh: &Mesh) -> Result<Vec<Node>, String> {
+        let ask = |quality| embree_tree::nodes(mesh, quality);
+        self.quality.map_or(Ok(Vec::new()), ask)
     }
 }

@@ -3,14 +3,20 @@
 pub(crate) mod bvh_crate;
 pub(crate) mod embree;
 pub(crate) mod embree4;
+mod embree_tree;
 pub(crate) mod obvhs;
 pub(crate) mod ours;
 pub(crate) mod parry;
 
 use crate::racer::{Build, Entry, Racer, Search};
-use ours::{Ours, Wide};
+use ::obvhs::BvhBuildParams;
+use ours::{Binary, Ours, Wide};
 use raybook::accel::{
-    bvh::Bvh, grid::Grid, list::List, octree::Octree, two_level_grid::TwoLevelGrid,
+    bvh::{Bvh, build::Method},
+    grid::Grid,
+    list::List,
+    octree::Octree,
+    two_level_grid::TwoLevelGrid,
     wide_bvh::WideBvh,
 };
 
@@ -23,6 +29,7 @@ pub(crate) const INSTANCES: [[&str; 2]; 2] = [
 /// All that take part; the first is what the others are compared with.
 pub(crate) const ENTRIES: &[Entry] = &[
     entry("Embree", false, embree::build),
+    entry("Embree medium", false, embree::build_medium),
     entry("Embree robust", false, embree::build_robust),
     Entry {
         takes_part: |_| embree4::is_here(),
@@ -48,10 +55,13 @@ pub(crate) const ENTRIES: &[Entry] = &[
         boxed(Ours(Octree::of_facets(scene.mesh.facets())))
     }),
     entry("Bvh", true, |scene, _| {
-        boxed(Ours(Bvh::new(scene.mesh.facets())))
+        boxed(Binary(Bvh::new(scene.mesh.facets())))
     }),
     entry("WideBvh", true, |scene, _| {
         boxed(Wide(WideBvh::new(scene.mesh.facets())))
+    }),
+    entry("WideBvh binned", true, |scene, _| {
+        boxed(Wide(WideBvh::build(scene.mesh.facets(), Method::Binned)))
     }),
     Entry {
         takes_part: |scene| scene.forest.is_some(),
@@ -62,10 +72,20 @@ pub(crate) const ENTRIES: &[Entry] = &[
         ..entry(INSTANCES[1][0], true, ours::build_instances)
     },
     entry("obvhs BVH2", false, |scene, _| {
-        boxed(obvhs::Bvh2::new(&scene.mesh))
+        let medium = BvhBuildParams::medium_build();
+        boxed(obvhs::Bvh2::new(&scene.mesh, medium))
+    }),
+    entry("obvhs BVH2 fastest", false, |scene, _| {
+        let fastest = BvhBuildParams::fastest_build();
+        boxed(obvhs::Bvh2::new(&scene.mesh, fastest))
     }),
     entry("obvhs CwBvh", false, |scene, _| {
-        boxed(obvhs::Wide::new(&scene.mesh))
+        let medium = BvhBuildParams::medium_build();
+        boxed(obvhs::Wide::new(&scene.mesh, medium))
+    }),
+    entry("obvhs CwBvh fastest", false, |scene, _| {
+        let fastest = BvhBuildParams::fastest_build();
+        boxed(obvhs::Wide::new(&scene.mesh, fastest))
     }),
     entry("bvh", false, |scene, _| {
         boxed(bvh_crate::Bvh::new(&scene.mesh))

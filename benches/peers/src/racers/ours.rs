@@ -8,7 +8,12 @@ use raybook::accel::{
     wide_bvh::WideBvh,
 };
 use raybook::math::ray::Ray;
-use raybook::shape::{Shape, instance::Instance, mesh::Facet};
+use raybook::shape::{
+    Shape,
+    instance::Instance,
+    mesh::{Facet, Mesh},
+};
+use raybook_peers::{sah::Node, trees};
 use std::sync::Arc;
 
 /// An accelerator over facets.
@@ -21,6 +26,23 @@ impl<A: Accel<Facet>> Search for Ours<A> {
 
     fn any(&self, (ray, within): &Question) -> bool {
         self.0.any(ray, *within)
+    }
+}
+
+/// The tree of two children.
+pub(crate) struct Binary(pub Bvh<Facet>);
+
+impl Search for Binary {
+    fn closest(&self, (ray, within): &Question) -> f32 {
+        self.0.closest(ray, *within).map_or(MISS, |(_, hit)| hit.t)
+    }
+
+    fn any(&self, (ray, within): &Question) -> bool {
+        self.0.any(ray, *within)
+    }
+
+    fn nodes(&self, _mesh: &Mesh) -> Result<Vec<Node>, String> {
+        Ok(trees::binary(&self.0))
     }
 }
 
@@ -45,6 +67,10 @@ impl Search for Wide {
         let hits = self.0.closest_many(&rays, *within);
         answers.extend(hits.iter().map(|hit| hit.map_or(MISS, |(_, hit)| hit.t)));
         true
+    }
+
+    fn nodes(&self, mesh: &Mesh) -> Result<Vec<Node>, String> {
+        Ok(trees::wide(&self.0, mesh.bounds()))
     }
 }
 

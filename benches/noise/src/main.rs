@@ -25,7 +25,7 @@ struct Options {
     /// Samples per pixel of the reference
     #[arg(long, default_value_t = 1024)]
     reference: u32,
-    /// The folder of both clones; noise.csv is written there
+    /// The folder of both clones; noise.csv and equal_time.csv are written there
     #[arg(long, default_value = "target/noise")]
     folder: PathBuf,
     /// Binaries of chapters
@@ -65,6 +65,8 @@ fn main() -> Result<(), Box<dyn Error>> {
         ),
     ];
     let mut csv = comments(&how) + "chapter,commit,samples,seconds,error,error_least,error_most\n";
+    let mut equal_time =
+        comments(&how) + "chapter,seconds,error_then,error_now,ratio,ratio_least,ratio_most\n";
     println!(
         "{}chapter, seconds, error then, error now, ratio",
         comments(&how)
@@ -101,10 +103,13 @@ fn main() -> Result<(), Box<dyn Error>> {
             then.time
         );
         writeln!(
-            csv,
-            "# {chapter}: at equal time, {ratio:.2} [{least:.2}–{most:.2}] of the error then"
+            equal_time,
+            "{chapter},{:.2},{before:.5},{now:.5},{ratio:.3},{least:.3},{most:.3}",
+            then.time
         )?;
-        store::write(&options.folder.join("noise.csv"), csv.as_bytes())?;
+        for (file, text) in [("noise.csv", &csv), ("equal_time.csv", &equal_time)] {
+            store::write(&options.folder.join(file), text.as_bytes())?;
+        }
     }
     Ok(())
 }

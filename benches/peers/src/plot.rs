@@ -140,8 +140,9 @@ impl Picture<'_> {
         figure::write(canvas, name, (middle, HEAD - 44), text(40).pos(CENTRE))?;
         let all = || self.ratios.iter();
         // All panels have the same scale, which always has the 1 in it.
-        let least = all().map(|r| r.ratio).fold(1.0, f64::min).max(LEAST) / ROOM;
-        let most = all().map(|r| r.ratio).fold(1.0, f64::max) * ROOM;
+        let ends = || all().flat_map(|r| [r.ratio, r.spread[0], r.spread[1]]);
+        let least = ends().fold(1.0, f64::min).max(LEAST) / ROOM;
+        let most = ends().fold(1.0, f64::max) * ROOM;
         let x = |ratio: f64| {
             let part = (ratio.clamp(least, most) / least).ln() / (most / least).ln();
             across.start + (f64::from(across.end - across.start) * part) as i32

@@ -1,4 +1,4 @@
-//! Pictures of tables that other programs wrote: `pictures.csv`, of whole pictures, and `equal_time.csv`, of noise.
+//! Pictures of tables that other programs wrote: `pictures.csv`, of whole pictures, `octrees.csv`, of octrees, and `equal_time.csv`, of noise.
 //!
 //! `benches/peers/run draw FOLDER` draws those of them that are in the folder. It needs no Embree.
 
@@ -10,7 +10,7 @@ use std::error::Error;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
-/// Draws pictures.csv and equal_time.csv
+/// Draws pictures.csv, octrees.csv and equal_time.csv
 #[derive(Parser)]
 struct Options {
     /// Where the tables are, and where the pictures go
@@ -35,6 +35,11 @@ fn draw(folder: &Path) -> Result<(), Box<dyn Error>> {
             "pictures",
             "Whole pictures: processor time and error of others, divided by raybook's: more is better for raybook",
             pictures as fn(&Table) -> Result<Vec<Ratio>, String>,
+        ),
+        (
+            "octrees",
+            "Rays per second and builds per second of Octree, as a multiple of those of arctk's octree: more is better",
+            octrees,
         ),
         (
             "equal_time",
@@ -103,6 +108,24 @@ fn pictures(table: &Table) -> Result<Vec<Ratio>, String> {
         let panel = "time for the same error";
         let ratio = number(row, "ratio")?;
         ratios.push(one(row, "path_tracer", panel, ratio, spread));
+    }
+    Ok(ratios)
+}
+
+/// Each mesh: each set of rays, and once the build.
+fn octrees(table: &Table) -> Result<Vec<Ratio>, String> {
+    let mut ratios: Vec<Ratio> = Vec::new();
+    for row in &table.rows {
+        let set = row.get("set").cloned().unwrap_or_default();
+        let spread = [number(row, "ratio_10")?, number(row, "ratio_90")?];
+        ratios.push(one(row, "mesh", &set, number(row, "ratio")?, spread));
+    }
+    for row in &table.rows {
+        let ratio = number(row, "arctk_build_s")? / number(row, "build_s")?;
+        let build = one(row, "mesh", "build", ratio, [ratio; 2]);
+        if !ratios.contains(&build) {
+            ratios.push(build);
+        }
     }
     Ok(ratios)
 }

@@ -1,7 +1,7 @@
 //! raybook's accelerators against Embree 3 and the crates `obvhs`, `bvh` and `parry3d`, in one thread.
 //!
-//! `benches/peers/run` (or `cargo run --release -p raybook-peers`) prints a table for each mesh, and writes `target/peers/ratios.csv`, `builds.csv`,
-//! `how.txt` and `ratios.png`. `README.md` beside this package says what is measured and how.
+//! `benches/peers/run` (or `cargo run --release -p raybook-peers`) prints a table for each mesh, and writes `ratios`, `builds` and `instances`
+//! as CSV and PNG, and `how.txt`, into `target/peers`. `README.md` beside this package says what is measured and how.
 
 mod construction;
 mod forest;

@@ -118,13 +118,10 @@ fn a_step_that_goes_wrong_beside_a_mistake_is_certain_with_it() {
             [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
         let height = normal.dot(light);
         let mirrored = 2.0 * height * normal - light;
-        let highlight = match mirrored.dot(view) {
-            cosine if cosine > 0.0 => cosine.powf(q[18]),
-            _ => 0.0,
-        };
+        let highlight = mirrored.dot(view).max(0.0).powf(q[18]);
         let sum = diffuse * height.max(0.0) / PI + specular * highlight;
-        let answer = row::format(asked.answer.kind, &(sum * arriving).to_array());
-        judged(examiner, case, answer)
+        let DVec3 { x, y, z } = sum * arriving;
+        judged(examiner, case, format!("{x} {y} {z}"))
     });
     let after = after.expect("they have names");
     let step = "goes wrong at the step “diffuse: k_d (L·N)”: takes the value divided by π";

@@ -30,6 +30,9 @@ const NOTHING: f64 = 1e-3;
 /// A mistake spoils no more right answers than this for each wrong one: what is next to wrong is called right by a judge's tolerance.
 const CONTRADICTED: usize = 3;
 
+/// Of the answers that are wrong by a mistake, one in this number has the flaw that the student's has: of several flaws chance decides which is told.
+const SOME_ALIKE: usize = 4;
+
 /// Traits this close are the same.
 const CLOSE: f64 = 2e-3;
 
@@ -330,14 +333,27 @@ fn is_contradicted(evidence: &Evidence<'_>, number: usize) -> bool {
     right.filter(spoils).count() > CONTRADICTED * evidence.wrong
 }
 
-/// Whether half of the wrong answers would be wrong by an own mistake, too: what makes few answers wrong has about the traits of right ones.
+/// Whether half of the wrong answers would be wrong by an own mistake, too, and enough of them have the same flaw, where they have one: what makes
+/// few answers wrong has about the traits of right ones, and what is no tree has few traits.
 fn shows(evidence: &Evidence<'_>, number: usize) -> bool {
-    let is_wrong = |k: &usize| {
-        let answer = evidence.mistaken(number, *k);
-        answer.is_some_and(|answer| !evidence.is_right(&evidence.items[*k], &answer))
+    let examiner = evidence.examiner;
+    let flaws = examiner.flaws();
+    let complaint = |item: &Item, answer: &[f64]| {
+        let verdict = examiner.compare(&item.question, item.golden(), answer);
+        let why = verdict.err()?;
+        Some(flaws.iter().position(|flaw| why.contains(flaw.complaint)))
     };
-    let shown = (0..evidence.wrong).filter(is_wrong).count();
-    2 * shown >= evidence.wrong
+    let (mut shown, mut alike) = (0, 0);
+    for (k, item) in evidence.items[..evidence.wrong].iter().enumerate() {
+        let answer = evidence.mistaken(number, k);
+        let Some(flaw) = answer.and_then(|answer| complaint(item, &answer)) else {
+            continue;
+        };
+        shown += 1;
+        let theirs = complaint(item, &item.got);
+        alike += usize::from(theirs.is_none_or(|theirs| theirs == flaw));
+    }
+    2 * shown >= evidence.wrong && SOME_ALIKE * alike >= shown
 }
 
 /// Two of the exercise's own mistakes, one made upon the other, whose answers have the same traits as the student's, and are much nearer to

@@ -4,7 +4,7 @@ mod builders;
 
 use super::octree_tree::{cost, is_tree, misplaced, names, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
-use builders::{built, by, depth_first, name_all, sum, with_limit};
+use builders::{begun, built, by, depth_first, name_all, sum, with_limit};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
@@ -17,6 +17,19 @@ use raybook_workbook::octree_rows::TreeRow;
 /// Leads to where a leaf's names begin.
 const LENGTH_OF_THE_LIST: &str =
     "How long is the list of names before a leaf's own are appended, and how long after that?";
+
+/// What a function does whose leaves begin where they end, whatever tree it makes.
+const END_OF_A_LEAF: &str = "takes the end of a leaf's part of the list of names for its beginning";
+
+/// The same, if they all begin with the list.
+const START_OF_THE_LIST: &str = "lets every leaf begin at the start of the list of names";
+
+/// The same, if they begin at the number of a shape.
+const NUMBER_OF_A_SHAPE: &str =
+    "writes the number of a leaf's first shape where that name's place in the list belongs";
+
+/// The same, if nodes have the number of their last child.
+const LAST_CHILD: &str = "gives a node the number of its last child, not that of its first";
 
 impl Graded for OctreeBuild {
     fn random(rng: &mut Pcg) -> OctreeBuild {
@@ -189,7 +202,7 @@ impl Graded for OctreeBuild {
         },
         Flaw {
             complaint: "begins behind its last name",
-            name: "takes the end of a leaf's part of the list of names for its beginning",
+            name: END_OF_A_LEAF,
             hint: LENGTH_OF_THE_LIST,
         },
         Flaw {
@@ -204,12 +217,12 @@ impl Graded for OctreeBuild {
         },
         Flaw {
             complaint: "begins at place 0 of the list of names",
-            name: "lets every leaf begin at the start of the list of names",
+            name: START_OF_THE_LIST,
             hint: LENGTH_OF_THE_LIST,
         },
         Flaw {
             complaint: "has the number of its first shape",
-            name: "writes the number of a leaf's first shape where that name's place in the list belongs",
+            name: NUMBER_OF_A_SHAPE,
             hint: "The list holds the names of all leaves, one leaf's after the other's: at which place of it do a leaf's own begin?",
         },
         Flaw {
@@ -218,13 +231,8 @@ impl Graded for OctreeBuild {
             hint: LENGTH_OF_THE_LIST,
         },
         Flaw {
-            complaint: "1 too large for its first child",
-            name: "counts the nodes from 1",
-            hint: "What is the number of the root, and of the node that comes next in the list?",
-        },
-        Flaw {
             complaint: "has the number of its last child",
-            name: "gives a node the number of its last child, not that of its first",
+            name: LAST_CHILD,
             hint: "How long is the list of nodes at the moment before the eight children are appended?",
         },
         Flaw {
@@ -687,6 +695,31 @@ impl Graded for OctreeBuild {
                     }
                 })
             },
+        },
+        Mistake {
+            name: END_OF_A_LEAF,
+            hint: LENGTH_OF_THE_LIST,
+            answer: |q| begun(q, 0, |leaf, _| leaf.first + leaf.count),
+        },
+        Mistake {
+            name: START_OF_THE_LIST,
+            hint: LENGTH_OF_THE_LIST,
+            answer: |q| begun(q, 0, |_, _| 0),
+        },
+        Mistake {
+            name: NUMBER_OF_A_SHAPE,
+            hint: "The list holds the names of all leaves, one leaf's after the other's: at which place of it do a leaf's own begin?",
+            answer: |q| {
+                begun(q, 0, |leaf, names| {
+                    let name = names.get(leaf.first as usize).filter(|_| leaf.count > 0);
+                    name.copied().unwrap_or(leaf.first)
+                })
+            },
+        },
+        Mistake {
+            name: LAST_CHILD,
+            hint: "How long is the list of nodes at the moment before the eight children are appended?",
+            answer: |q| begun(q, 1, |node, _| node.first + 7),
         },
     ];
 }

@@ -154,11 +154,6 @@ const ELSEWHERE: &[Elsewhere] = &[
         first: |_, leaf| leaf.first.checked_add(1)?.checked_sub(leaf.count),
     },
     Elsewhere {
-        why: "each node with children has a number that is 1 too large for its first child",
-        inner: 1,
-        first: |_, node| node.first.checked_sub(1),
-    },
-    Elsewhere {
         why: "each node with children has the number of its last child",
         inner: 1,
         first: |_, node| node.first.checked_sub(7),

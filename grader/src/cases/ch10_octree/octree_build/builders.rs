@@ -1,5 +1,6 @@
 //! Octrees as students build them: what may be mistaken in each is of the caller's choice.
 
+use crate::Graded;
 use crate::cases::ch10_octree::octree_tree::{inner, leaf};
 use crate::upon::changed;
 use raybook::accel::octree::build::Limits;
@@ -7,7 +8,7 @@ use raybook::inside::octree::{build, child_cell};
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch05_box::Corners;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
-use raybook_workbook::octree_rows::TreeRow;
+use raybook_workbook::octree_rows::{NodeRow, TreeRow};
 use std::collections::BTreeSet;
 
 /// The tree that the library builds if it is told something else about which cells a box reaches, or other limits.
@@ -29,6 +30,19 @@ pub(super) fn built(
         seen(&q.shapes[i as usize], cells)
     });
     TreeRow::from(tree)
+}
+
+/// The right tree, whose nodes with children, if `inner` is 1, or whose leaves, if it is 0, begin elsewhere: a node's row and all names tell where.
+pub(super) fn begun(
+    q: &OctreeBuild,
+    inner: u32,
+    first: impl Fn(&NodeRow, &[u32]) -> u32,
+) -> TreeRow {
+    let mut tree = OctreeBuild::right(q);
+    for node in tree.nodes.iter_mut().filter(|node| node.inner == inner) {
+        node.first = first(node, &tree.names);
+    }
+    tree
 }
 
 /// What is left of a limit on copies after a cut that makes some names of each shape.

@@ -137,6 +137,7 @@ struct Elsewhere {
     first: fn(node: u32, row: &NodeRow) -> Option<u32>,
 }
 
+/// The ways that are tried, one after the other.
 const ELSEWHERE: &[Elsewhere] = &[
     Elsewhere {
         why: "each leaf begins behind its last name in the list",

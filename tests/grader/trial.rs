@@ -1,5 +1,6 @@
 //! A mistake in doubt is put on trial: further answers tell it for certain, or leave it in doubt.
 
+use glam::DVec3;
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::cases;
@@ -7,6 +8,7 @@ use raybook_grader::diagnose::trial::Trial;
 use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
+use std::f64::consts::PI;
 
 /// What is told of one who answers these cases so, after a trial if it is in doubt. An answer comes with whether it is right.
 pub fn tried(
@@ -102,6 +104,32 @@ fn two_mistakes_in_the_same_answers_are_both_certain() {
     names.sort_unstable();
     assert_eq!(names, [first, second]);
     assert_eq!(also.beside, Beside::Together);
+    assert!(after.certain && also.certain, "{after:?}");
+}
+
+#[test]
+fn a_step_that_goes_wrong_beside_a_mistake_is_certain_with_it() {
+    let own = "lets the highlight shine through from behind";
+    let (examiner, cases, _) = mistake("phong", own);
+    let asked = examiner.asked();
+    let after = tried(examiner, &cases, |case| {
+        let q = asked.read_question(&case.question).expect("a question");
+        let [normal, view, light, arriving, diffuse, specular] =
+            [0, 3, 6, 9, 12, 15].map(|from| DVec3::from_slice(&q[from..]));
+        let [normal, view, light] = [normal, view, light].map(DVec3::normalize); // a program gets unit vectors
+        let height = normal.dot(light);
+        let mirrored = 2.0 * height * normal - light;
+        let highlight = mirrored.dot(view).max(0.0).powf(q[18]);
+        let sum = diffuse * height.max(0.0) / PI + specular * highlight;
+        let DVec3 { x, y, z } = sum * arriving;
+        judged(examiner, case, format!("{x} {y} {z}"))
+    });
+    let after = after.expect("they have names");
+    let step = "goes wrong at the step “diffuse: k_d (L·N)”: takes the value divided by π";
+    let [also] = &after.also[..] else {
+        panic!("one beside the other: {after:?}");
+    };
+    assert_eq!([&*after.name, &*also.name], [step, own]);
     assert!(after.certain && also.certain, "{after:?}");
 }
 

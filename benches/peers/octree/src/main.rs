@@ -7,6 +7,7 @@ mod scenes;
 use clap::Parser;
 use race::race;
 use raybook::store;
+use raybook_common::machine::processor;
 use scenes::scenes;
 use std::error::Error;
 use std::fmt::Write;
@@ -37,7 +38,7 @@ fn main() -> ExitCode {
 fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let (side, rounds) = if options.quick { (64, 5) } else { (256, 11) };
     let mut text = format!(
-        "# processor: {}, one thread\n# {side}² rays of each set; {rounds} rounds; processor time; builds are wall clock, once\n\
+        "# {}, one thread\n# {side}² rays of each set; {rounds} rounds; processor time; builds are wall clock, once\n\
          mesh,triangles,set,ratio,ratio_10,ratio_90,agree,build_s,arctk_build_s,arctk_leaf,arctk_levels\n",
         processor()
     );
@@ -63,20 +64,4 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     // Only now: arctk shows on the standard output how far its builds are.
     println!("{text}wrote {}", file.display());
     Ok(())
-}
-
-/// What the system calls the processor.
-fn processor() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let field = |name: &str| {
-        let line = text.lines().find(|line| line.starts_with(name));
-        let value = line.and_then(|line| line.split_once(": "));
-        value.map_or("unknown", |(_, value)| value).to_owned()
-    };
-    format!(
-        "{}, family {}, model {}",
-        field("model name"),
-        field("cpu family"),
-        field("model\t")
-    )
 }

@@ -9,6 +9,7 @@ mod room;
 use clap::Parser;
 use race::race;
 use raybook::store;
+use raybook_common::machine::processor;
 use std::error::Error;
 use std::path::PathBuf;
 use std::process::ExitCode;
@@ -42,7 +43,7 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     let rounds = options.rounds.map_or(rounds, usize::from);
     let race = race(rounds, reference)?;
     let how = [
-        format!("processor: {}, one thread", processor()),
+        format!("{}, one thread", processor()),
         format!(
             "{rounds} rounds; {reference} samples per pixel in the converged pictures; processor time"
         ),
@@ -53,20 +54,4 @@ fn run(options: &Options) -> Result<(), Box<dyn Error>> {
     store::write(&file, text.as_bytes())?;
     println!("wrote {}", file.display());
     Ok(())
-}
-
-/// What the system calls the processor.
-fn processor() -> String {
-    let text = std::fs::read_to_string("/proc/cpuinfo").unwrap_or_default();
-    let field = |name: &str| {
-        let line = text.lines().find(|line| line.starts_with(name));
-        let value = line.and_then(|line| line.split_once(": "));
-        value.map_or("unknown", |(_, value)| value).to_owned()
-    };
-    format!(
-        "{}, family {}, model {}",
-        field("model name"),
-        field("cpu family"),
-        field("model\t")
-    )
 }

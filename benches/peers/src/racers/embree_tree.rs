@@ -29,7 +29,7 @@ const LEVELS: c_uint = 40;
 /// Where a build of high quality cuts triangles, this number of parts for each is the most on average: Embree's default.
 const PARTS: f64 = 1.2;
 
-/// What the builder's calls are about: the mesh, and the nodes so far.
+/// What `rtcBuildBVH` hands to each of its calls: the `mesh`, and the `nodes` that they have told.
 struct Told<'a> {
     mesh: &'a Mesh,
     nodes: Mutex<Vec<Node>>,

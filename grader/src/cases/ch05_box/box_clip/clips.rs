@@ -25,12 +25,12 @@ pub(super) fn folded(
     finish(min, max)
 }
 
-/// Clips by the slabs of the axes along which the ray moves. `enter` makes the next entry of the entry so far, that of an axis and the
-/// interval's min; `leave` makes the next exit of the exit so far, that of an axis and the interval's max.
+/// Clips by the slabs of the axes along which the ray moves. Of each slab, whose planes are at `near` and `far`, `enter` makes the next entry,
+/// and `leave` the next exit; `start` and `end` are the ends of the interval.
 pub(super) fn folded_from(
     q: &BoxClip,
-    enter: fn(f32, f32, f32) -> f32,
-    leave: fn(f32, f32, f32) -> f32,
+    enter: fn(entry: f32, near: f32, start: f32) -> f32,
+    leave: fn(exit: f32, far: f32, end: f32) -> f32,
 ) -> Option<Interval> {
     let Interval {
         min: start,

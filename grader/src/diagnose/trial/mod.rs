@@ -281,15 +281,18 @@ fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool 
     })
 }
 
-/// A question whose numbers, but for counts and infinite ones, differ from those of this one in their last digits.
+/// A question whose numbers, but for whole and infinite ones, differ from those of this one in their last digits.
 fn beside(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     let kind = examiner.asked().question;
     let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
-    let sizes = question.iter().filter(|v| v.is_finite());
+    let mut leaves = layout(kind, question).leaves;
+    // Nor does a whole number tell how large the others are: a seed may be four billion.
+    leaves.retain(|leaf| !matches!(kinds[leaf.part], Kind::Whole));
+    let sizes = leaves.iter().flat_map(|leaf| &question[leaf.range()]);
+    let sizes = sizes.filter(|v| v.is_finite());
     let size = sizes.fold(0.0, |size: f64, v| size.max(v.abs()));
     let mut moved = question.to_vec();
-    let leaves = layout(kind, question).leaves.into_iter();
-    for leaf in leaves.filter(|leaf| !matches!(kinds[leaf.part], Kind::Whole)) {
+    for leaf in leaves {
         for v in &mut moved[leaf.range()] {
             *v = f64::from((*v + size * LAST_DIGITS * rng.random_range(-1.0..1.0)) as f32);
         }

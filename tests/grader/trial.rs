@@ -4,7 +4,7 @@ use glam::DVec3;
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::cases;
-use raybook_grader::diagnose::trial::Trial;
+use raybook_grader::diagnose::trial::{Trial, beside};
 use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
@@ -37,6 +37,18 @@ fn mistake(exercise: &str, name: &str) -> (&'static dyn Examiner, Vec<Case>, usi
 fn judged(examiner: &dyn Examiner, case: &Case, answer: String) -> (Option<String>, bool) {
     let verdict = examiner.judge(&case.question, &case.answers, &answer);
     (Some(answer), verdict.is_ok())
+}
+
+#[test]
+fn a_question_beside_another_differs_in_its_last_digits_whatever_its_seed() {
+    let rng = &mut pcg::stream(1, 0);
+    let examiner = cases::find("poisson_disk").expect("an exercise");
+    let question = [0.125, 4e9]; // the distance, and the seed
+    for _ in 0..100 {
+        let moved = beside(examiner, &question, rng);
+        assert!((moved[0] - 0.125).abs() < 1e-6, "{moved:?}");
+        assert_eq!(moved[1], 4e9);
+    }
 }
 
 /// Yes or no in a few cases is explained by many mistakes.

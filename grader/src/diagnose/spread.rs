@@ -49,8 +49,18 @@ impl Distance {
 
     /// The same without what chance adds: to the square of each mean, that of its error, on average.
     fn beyond_chance(&self) -> f64 {
-        let by_chance: f64 = self.error.iter().map(|e| e * e).sum();
-        (self.norm().powi(2) - by_chance).max(0.0).sqrt()
+        let beyond = self.norm().powi(2) - self.chance().powi(2);
+        beyond.max(0.0).sqrt()
+    }
+
+    /// What chance makes of a distance of which nothing is left.
+    fn chance(&self) -> f64 {
+        self.error.iter().map(|e| e * e).sum::<f64>().sqrt()
+    }
+
+    /// Whether so much may be left of a distance by chance, where few answers tell.
+    fn promises(&self, whole: &Self) -> bool {
+        self.norm() <= PROMISING * whole.norm() + 2.0 * self.chance()
     }
 
     /// Whether nothing is left of a distance but chance.
@@ -81,12 +91,29 @@ impl<'a, 'e> Traits<'a, 'e> {
             .then_some(Self { evidence, got })
     }
 
+    /// A few wrong answers, on which an explanation is tried before it is tried on all: traits of many points take long. None if there
+    /// are not many more.
+    fn few(&self) -> Option<Vec<usize>> {
+        let wrong = self.evidence.wrong;
+        (wrong >= 2 * FEW).then(|| (0..FEW).map(|k| k * wrong / FEW).collect())
+    }
+
     /// How far other answers to the same questions are from them; none if there are too few.
     fn distance(&self, answers: &dyn Fn(usize) -> Option<Vec<f64>>) -> Option<Distance> {
-        let items = &self.evidence.items;
+        let all: Vec<_> = (0..self.got.len()).collect();
+        self.distance_among(&all, answers)
+    }
+
+    /// The same of some of the questions.
+    fn distance_among(
+        &self,
+        some: &[usize],
+        answers: &dyn Fn(usize) -> Option<Vec<f64>>,
+    ) -> Option<Distance> {
         let mut off: Vec<Vec<f64>> = Vec::new();
-        for (i, (item, got)) in items.iter().zip(&self.got).enumerate() {
+        for &i in some {
             let Some(answer) = answers(i) else { continue };
+            let (item, got) = (&self.evidence.items[i], &self.got[i]);
             let theirs = self.evidence.examiner.traits(&item.question, &answer);
             if theirs.len() == got.len() && !got.is_empty() {
                 off.push(theirs.iter().zip(got).map(|(a, b)| a - b).collect());
@@ -94,7 +121,7 @@ impl<'a, 'e> Traits<'a, 'e> {
         }
         let n = off.len() as f64;
         let len = off.first()?.len();
-        if off.iter().any(|off| off.len() != len) || 3 * off.len() < items.len() {
+        if off.iter().any(|off| off.len() != len) || 3 * off.len() < some.len() {
             return None;
         }
         let mean: Vec<f64> = (0..len)
@@ -113,6 +140,9 @@ impl<'a, 'e> Traits<'a, 'e> {
 
 /// The number of wrong answers that a slip is tried on before it is tried on all.
 const PROBE: usize = 4;
+
+/// The number of them that any explanation is tried on, where there are twice as many.
+const FEW: usize = 8;
 
 /// A slip of a higher [`Slipped::rank`] is not told by traits alone: among all the rare ones, one comes near by chance.
 const RAREST: u32 = RANK + COMMON + 2;
@@ -174,7 +204,18 @@ fn considered(
 ) -> Vec<Considered> {
     let examiner = evidence.examiner;
     let right = golden(evidence);
+    let few = traits.few();
+    let few = few.and_then(|few| {
+        let whole = traits.distance_among(&few, &|i| right[i].clone())?;
+        Some((few, whole))
+    });
     let consider = |rank, name: &str, hint: &str, answers: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        if let Some((few, whole)) = &few {
+            let rest = traits.distance_among(few, answers)?;
+            if !rest.promises(whole) {
+                return None;
+            }
+        }
         let rest = traits.distance(answers);
         let rest = rest.filter(|rest| rest.explains(whole))?;
         Some(Considered {
@@ -238,7 +279,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     let found = considered(evidence, readings, &traits, &whole);
     let nearest = nearest(&found);
     // What is as near as the nearest, but for chance: the commonest first.
-    let errors = whole.error.iter().map(|e| e * e).sum::<f64>().sqrt();
+    let errors = whole.chance();
     let near = |one: &&Considered| one.rest <= 1.3 * nearest + 0.5 * errors + 1e-6;
     let mut near: Vec<_> = found.iter().filter(near).collect();
     near.sort_by(|a, b| a.rank.cmp(&b.rank).then(a.rest.total_cmp(&b.rest)));

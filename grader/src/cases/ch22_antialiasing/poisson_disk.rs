@@ -5,6 +5,7 @@ use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
 use glam::{UVec2, Vec2, vec2};
 use rand::RngExt;
+use raybook::inside::{Neighbours, Space};
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, random_pattern};
 use raybook_workbook::exercises::ch22_antialiasing::PoissonDisk;
@@ -27,16 +28,15 @@ const PROBES: u32 = 96;
 /// More points than this, times (1 + d)²/d², are a lattice: chance finds 0.6 of that, squares 1, and a honeycomb 1.15.
 const CROWDED: f32 = 0.85;
 
+/// Darts that are thrown in vain before a mistaken program ends, and points after which it does.
+const PATIENCE: u32 = 1000;
+const MOST: usize = 2000;
+
 /// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
 fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
-    darts_until(q, 1000, keeps)
-}
-
-/// The same, until `most` darts in a row are not kept.
-fn darts_until(q: &PoissonDisk, most: u32, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let (mut points, mut misses) = (Vec::new(), 0);
-    while misses < most && points.len() < 2000 {
+    while misses < PATIENCE && points.len() < MOST {
         let dart = vec2(rng.random(), rng.random());
         if keeps(dart, &points) {
             points.push(dart);
@@ -53,19 +53,44 @@ fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
     darts(q, |p, points| points.iter().all(|o| far(p - *o)))
 }
 
+/// Darts at least `distance` apart and where `may_lie` says so, until `most` in a row are not.
+fn spaced(q: &PoissonDisk, distance: f32, most: u32, may_lie: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
+    let rng = &mut pcg::stream(22, q.seed.into());
+    let mut near = Neighbours::new(distance.into(), Space::Square);
+    let mut misses = 0;
+    while misses < most && near.points().len() < MOST {
+        let dart = vec2(rng.random(), rng.random());
+        if may_lie(dart) && near.has_room(dart, distance.into()) {
+            near.push(dart);
+            misses = 0;
+        } else {
+            misses += 1;
+        }
+    }
+    near.into_points()
+}
+
+/// Darts that are this distance apart.
+fn apart_by(q: &PoissonDisk, distance: f32) -> Vec<Vec2> {
+    spaced(q, distance, PATIENCE, |_| true)
+}
+
 /// Darts as far apart as asked, until `most` in a row are too near.
 fn impatient(q: &PoissonDisk, most: u32) -> Vec<Vec2> {
-    darts_until(q, most, |p, points| {
-        points.iter().all(|o| p.distance(*o) >= q.distance)
-    })
+    spaced(q, q.distance, most, |_| true)
+}
+
+/// Darts as far apart as asked, of which none is kept nearer to an edge of the square than `border`.
+fn off_the_border(q: &PoissonDisk, border: f32) -> Vec<Vec2> {
+    let may_lie = |p: Vec2| p.min(1.0 - p).min_element() >= border;
+    spaced(q, q.distance, PATIENCE, may_lie)
 }
 
 /// Darts as far apart as asked, of which none comes nearer to an edge of the square than `border`. A little is left of the square, however wide its border is.
 fn inside(q: &PoissonDisk, border: f32) -> Vec<Vec2> {
     let border = border.min(0.45);
     let within = |p: Vec2| border + (1.0 - 2.0 * border) * p;
-    let far = |p: Vec2, o: &Vec2| within(p).distance(within(*o)) >= q.distance;
-    let darts = darts(q, |p, points| points.iter().all(|o| far(p, o)));
+    let darts = apart_by(q, q.distance / (1.0 - 2.0 * border));
     darts.into_iter().map(within).collect()
 }
 
@@ -257,17 +282,17 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "compares the squared distance with the distance",
             hint: "Below 1, a square is smaller than its root: what do you compare with what?",
-            answer: |q| apart(q, |way| way.length_squared() >= q.distance),
+            answer: |q| apart_by(q, q.distance.sqrt()),
         },
         Mistake {
             name: "keeps the points only half of the distance apart",
             hint: "How near may two points come: half of the distance, or the whole? What do you compare?",
-            answer: |q| apart(q, |way| way.length() >= 0.5 * q.distance),
+            answer: |q| apart_by(q, 0.5 * q.distance),
         },
         Mistake {
             name: "keeps the points twice the distance apart",
             hint: "How near may two points come: once the distance, or twice?",
-            answer: |q| apart(q, |way| way.length() >= 2.0 * q.distance),
+            answer: |q| apart_by(q, 2.0 * q.distance),
         },
         Mistake {
             name: "compares with the last point only",
@@ -286,12 +311,7 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "keeps the points half the distance away from the border",
             hint: "May a point lie on the very edge of the square?",
-            answer: |q| {
-                let inner = |p: Vec2| p.min(1.0 - p).min_element() >= 0.5 * q.distance;
-                darts(q, |p, points| {
-                    inner(p) && points.iter().all(|o| p.distance(*o) >= q.distance)
-                })
-            },
+            answer: |q| off_the_border(q, 0.5 * q.distance),
         },
         Mistake {
             name: "compares with the points in the cells next to its own only, where cells are smaller than the distance",
@@ -311,9 +331,9 @@ impl Graded for PoissonDisk {
             hint: "Look at your points: are there gaps in which another one would have room? How many darts may miss before you stop?",
             answer: |q| {
                 let n = (0.15 / (q.distance * q.distance)).ceil() as usize;
-                darts(q, |p, points| {
-                    points.len() < n && points.iter().all(|o| p.distance(*o) >= q.distance)
-                })
+                let mut points = apart_by(q, q.distance);
+                points.truncate(n);
+                points
             },
         },
         Mistake {
@@ -374,11 +394,7 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "keeps the points √2 times the distance apart",
             hint: "How near may two points come: once the distance, or once the diagonal of a square of that side?",
-            answer: |q| {
-                apart(q, |way| {
-                    way.length() >= std::f32::consts::SQRT_2 * q.distance
-                })
-            },
+            answer: |q| apart_by(q, std::f32::consts::SQRT_2 * q.distance),
         },
         Mistake {
             name: "refuses a point if one of the steps along x and along y is below the distance",
@@ -388,12 +404,7 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "keeps the points the whole distance away from the border",
             hint: "May a point lie on the very edge of the square?",
-            answer: |q| {
-                let inner = |p: Vec2| p.min(1.0 - p).min_element() >= q.distance;
-                darts(q, |p, points| {
-                    inner(p) && points.iter().all(|o| p.distance(*o) >= q.distance)
-                })
-            },
+            answer: |q| off_the_border(q, q.distance),
         },
         Mistake {
             name: "gives up at the first point that is too near",
@@ -438,26 +449,14 @@ fn nearest(points: &[Vec2]) -> f32 {
 /// The share of the square that is farther than d from all points, also from those of the same squares around it: methods that are
 /// right leave more room at the border, and it is not counted.
 fn room(points: &[Vec2], d: f32) -> f32 {
-    let side = PROBES as i32;
-    let mut free = vec![true; (side * side) as usize];
-    let d = d.min(1.0); // nothing in the square is that far from a point
-    let near = |v: f32| {
-        let [from, to] = [v - d, v + d].map(|v| (v * side as f32) as i32);
-        from - 1..=to + 1
-    };
+    let d = f64::from(d.min(1.0)); // nothing in the square is that far from a point
+    let mut near = Neighbours::new(d, Space::Torus);
     for p in points {
-        for y in near(p.y) {
-            let up = (y as f32 + 0.5) / side as f32 - p.y;
-            for x in near(p.x) {
-                let right = (x as f32 + 0.5) / side as f32 - p.x;
-                if right * right + up * up <= d * d {
-                    let place = y.rem_euclid(side) * side + x.rem_euclid(side);
-                    free[place as usize] = false;
-                }
-            }
-        }
+        near.push(*p);
     }
-    free.iter().filter(|free| **free).count() as f32 / free.len() as f32
+    let middle = |i: u32| (i as f32 + 0.5) / PROBES as f32;
+    let probes = (0..PROBES).flat_map(|y| (0..PROBES).map(move |x| vec2(middle(x), middle(y))));
+    probes.filter(|p| near.has_room(*p, d)).count() as f32 / (PROBES * PROBES) as f32
 }
 
 /// How many pairs of points are nearer to each other than 1.2 times the distance; and of how many of them both the step along x and that along

@@ -282,7 +282,7 @@ fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool 
 }
 
 /// A question whose numbers, but for whole and infinite ones, differ from those of this one in their last digits.
-fn beside(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+pub fn beside(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     let kind = examiner.asked().question;
     let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
     let mut leaves = layout(kind, question).leaves;

@@ -10,8 +10,8 @@ pub struct Place(&'static Location<'static>);
 impl PartialEq for Place {
     fn eq(&self, other: &Self) -> bool {
         // Lines differ more often than files, and are compared faster.
-        let key = |place: &Self| (place.0.line(), place.0.column(), place.0.file());
-        key(self) == key(other)
+        let (one, other) = (self.0, other.0);
+        one.line() == other.line() && one.column() == other.column() && one.file() == other.file()
     }
 }
 
@@ -249,6 +249,18 @@ impl Slip {
             | Self::Limit(at, _)
             | Self::Fitted(at, _) => at,
         }
+    }
+
+    /// Whether it takes the value of another step.
+    pub(super) fn looks_back(&self) -> bool {
+        matches!(
+            self,
+            Self::Other { .. }
+                | Self::Mix { .. }
+                | Self::Bracket(..)
+                | Self::ChoiceBy { .. }
+                | Self::Factor { .. }
+        )
     }
 
     /// What it makes of the decision at a place, and of what is compared there, if two numbers are.

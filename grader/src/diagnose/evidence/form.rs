@@ -4,6 +4,13 @@ use super::Evidence;
 use crate::layout::layout;
 use std::cmp::Ordering;
 
+/// The shorter of two rows of numbers first, and of those of the same length by the first numbers that differ.
+fn by_numbers(one: &[f64], other: &[f64]) -> Ordering {
+    let mut each = one.iter().zip(other).map(|(a, b)| a.total_cmp(b));
+    let by_length = one.len().cmp(&other.len());
+    by_length.then_with(|| each.find(|order| order.is_ne()).unwrap_or(Ordering::Equal))
+}
+
 impl Evidence<'_> {
     /// Whether the judge takes lists in any order.
     pub(super) fn order_is_free(&self) -> bool {
@@ -45,16 +52,9 @@ impl Evidence<'_> {
         for list in (0..last.map_or(0, |last| last + 1)).rev() {
             let layout = layout(self.kind(), &answer);
             for span in layout.lists.iter().filter(|span| span.list == list) {
-                let mut elements: Vec<_> = span
-                    .elements
-                    .iter()
-                    .map(|place| answer[place.clone()].to_vec())
-                    .collect();
-                let by_numbers = |a: &Vec<f64>, b: &Vec<f64>| {
-                    let first = a.iter().zip(b).map(|(a, b)| a.total_cmp(b));
-                    first.fold(a.len().cmp(&b.len()), Ordering::then)
-                };
-                elements.sort_by(by_numbers);
+                let places = span.elements.iter();
+                let mut elements: Vec<_> = places.map(|place| &answer[place.clone()]).collect();
+                elements.sort_by(|a, b| by_numbers(a, b));
                 let start = span.count + 1;
                 let flat = elements.concat();
                 answer[start..start + flat.len()].copy_from_slice(&flat);

@@ -93,6 +93,9 @@ impl Way {
         self.count();
         let (place, holds) = (decision.place, decision.held);
         self.meets(|met| decision.add_to(&mut met.decisions));
+        if !self.is_slipped(place) {
+            return holds;
+        }
         let slips = self.slips.iter().flatten();
         slips.fold(holds, |holds, slip| slip.decided(place, holds, of))
     }

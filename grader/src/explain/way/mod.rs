@@ -20,6 +20,10 @@ pub struct Way {
     untold: Vec<Step>,
     met: Met,
     slips: [Option<Slip>; 2],
+    /// Where these are made: most steps are elsewhere, and are many millions.
+    slipped_at: [Option<Place>; 2],
+    /// Whether no slip looks back at the steps, which then are not written down.
+    is_blind: bool,
     /// The steps of the right way, for a slip that takes the value of one that comes later.
     ahead: Vec<Step>,
     looks_ahead: bool,
@@ -34,10 +38,7 @@ pub struct Way {
 impl Way {
     /// A way on which a slip is made.
     pub fn with(slip: Slip) -> Self {
-        Self {
-            slips: [Some(slip), None],
-            ..Self::default()
-        }
+        Self::of_slips([Some(slip), None])
     }
 
     /// A way on which a slip is made that takes the value of a step which comes later: that of the right way.
@@ -64,8 +65,15 @@ impl Way {
 
     /// A way on which two slips are made.
     pub fn with_both(slips: [Slip; 2]) -> Self {
+        Self::of_slips(slips.map(Some))
+    }
+
+    fn of_slips(slips: [Option<Slip>; 2]) -> Self {
+        let mut made = slips.iter().flatten();
         Self {
-            slips: slips.map(Some),
+            slips,
+            slipped_at: slips.map(|slip| Some(slip?.place())),
+            is_blind: !made.any(Slip::looks_back),
             ..Self::default()
         }
     }
@@ -74,6 +82,7 @@ impl Way {
     pub fn watched(slip: Slip) -> Self {
         Self {
             is_watched: true,
+            is_blind: false,
             ..Self::with(slip)
         }
     }
@@ -133,7 +142,7 @@ impl Way {
     #[track_caller]
     pub fn remark(&mut self, sentence: impl Into<Cow<'static, str>>) {
         self.count();
-        if self.is_read() {
+        if !self.is_blind {
             self.steps.push(Step {
                 name: sentence.into(),
                 value: Vec::new(),
@@ -283,20 +292,10 @@ impl Way {
         }
     }
 
-    /// Whether the steps are read: those of a way with a slip only by a slip that looks back.
-    fn is_read(&self) -> bool {
-        let looks_back = |slip: &Slip| {
-            matches!(
-                slip,
-                Slip::Other { .. }
-                    | Slip::Mix { .. }
-                    | Slip::Bracket(..)
-                    | Slip::ChoiceBy { .. }
-                    | Slip::Factor { .. }
-            )
-        };
-        let mut slips = self.slips.iter().flatten();
-        self.is_watched || self.slips[0].is_none() || slips.any(looks_back)
+    /// Whether a slip is made at a place.
+    fn is_slipped(&self, place: Place) -> bool {
+        let [one, other] = self.slipped_at;
+        matches!(one, Some(at) if at == place) || matches!(other, Some(at) if at == place)
     }
 
     /// The number of steps and decisions up to now.
@@ -395,13 +394,12 @@ impl Way {
     ) -> V {
         self.count();
         let place = Place::here();
-        // By number: an iterator would copy both slips at every step.
-        for i in 0..self.slips.len() {
-            if let Some(slip) = self.slips[i] {
+        if self.is_slipped(place) {
+            for slip in self.slips.into_iter().flatten() {
                 v = self.slipped(v, place, slip);
             }
         }
-        if self.is_read() {
+        if !self.is_blind {
             self.steps.push(Step {
                 name: name.into(),
                 value: v.numbers(),

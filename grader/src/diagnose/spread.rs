@@ -58,7 +58,7 @@ impl Distance {
         self.error.iter().map(|e| e * e).sum::<f64>().sqrt()
     }
 
-    /// Whether so much may be left of a distance by chance, where few answers tell.
+    /// Whether this may be what a good explanation leaves of the distance `whole`, where few answers tell, and chance much.
     fn promises(&self, whole: &Self) -> bool {
         self.norm() <= PROMISING * whole.norm() + 2.0 * self.chance()
     }

@@ -32,19 +32,30 @@ const CROWDED: f32 = 0.85;
 const PATIENCE: u32 = 1000;
 const MOST: usize = 2000;
 
-/// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
-fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
+/// Throws darts, each of which `keeps` keeps or not, until `most` in a row are not kept.
+fn throw(q: &PoissonDisk, most: u32, mut keeps: impl FnMut(Vec2) -> bool) {
     let rng = &mut pcg::stream(22, q.seed.into());
-    let (mut points, mut misses) = (Vec::new(), 0);
-    while misses < PATIENCE && points.len() < MOST {
-        let dart = vec2(rng.random(), rng.random());
-        if keeps(dart, &points) {
-            points.push(dart);
+    let (mut kept, mut misses) = (0, 0);
+    while misses < most && kept < MOST {
+        if keeps(vec2(rng.random(), rng.random())) {
+            kept += 1;
             misses = 0;
         } else {
             misses += 1;
         }
     }
+}
+
+/// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
+fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
+    let mut points = Vec::new();
+    throw(q, PATIENCE, |dart| {
+        let is_kept = keeps(dart, &points);
+        if is_kept {
+            points.push(dart);
+        }
+        is_kept
+    });
     points
 }
 
@@ -55,18 +66,14 @@ fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
 
 /// Darts at least `distance` apart and where `may_lie` says so, until `most` in a row are not.
 fn spaced(q: &PoissonDisk, distance: f32, most: u32, may_lie: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
-    let rng = &mut pcg::stream(22, q.seed.into());
     let mut near = Neighbours::new(distance.into(), Space::Square);
-    let mut misses = 0;
-    while misses < most && near.points().len() < MOST {
-        let dart = vec2(rng.random(), rng.random());
-        if may_lie(dart) && near.has_room(dart, distance.into()) {
+    throw(q, most, |dart| {
+        let is_kept = may_lie(dart) && near.has_room(dart, distance.into());
+        if is_kept {
             near.push(dart);
-            misses = 0;
-        } else {
-            misses += 1;
         }
-    }
+        is_kept
+    });
     near.into_points()
 }
 

@@ -241,6 +241,18 @@ pub(super) fn with_first(q: &BvhBuild, first: fn(first: u32, count: u32) -> u32)
     tree
 }
 
+/// The right tree with its nodes row by row, each branch with the number after its own for that of its first child.
+pub(super) fn with_numbers_after_own(q: &BvhBuild) -> BvhBuildAnswer {
+    let mut tree = BvhBuild::canonical(q, BvhBuild::right(q));
+    for (own, node) in (0..).zip(&mut tree.nodes) {
+        // The root of nothing is no branch, although it has no boxes.
+        if node.count == 0 && !tree.order.is_empty() {
+            node.first = own + 1;
+        }
+    }
+    tree
+}
+
 /// The same tree with its nodes depth first, each branch with the number of its first child, 0, or of its second, 1.
 pub(super) fn depth_first(tree: &BvhBuildAnswer, child: usize) -> BvhBuildAnswer {
     let mut made = BvhBuildAnswer {

@@ -6,7 +6,7 @@ use super::builders::{
     BY_THE_DEARER_SIDE, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT,
     CHEAPER_THAN_TWO, DEAREST, FITS, HALVES_ALONG_THE_LONGEST, HALVES_ALONG_X, IN_THE_LAST_ROW,
     IN_TURN, SINGLE, UNSORTED, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, depth_first,
-    one_leaf, with_first,
+    one_leaf, with_first, with_numbers_after_own,
 };
 use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
@@ -28,6 +28,9 @@ const SECOND_CHILD: &str =
 
 /// The same, if a branch has the number of its other child.
 const FIRST_CHILD: &str = "numbers the nodes depth first, so that a branch's second child comes after all below its first";
+
+/// What a function does whose nodes stand row by row, and which takes them for depth first, whatever tree they make.
+const NUMBER_AFTER_OWN: &str = "gives a branch the number after its own for that of its first child, which stands farther back in the list";
 
 /// What a function does whose leaves begin at the number of a box, whatever tree they make.
 const NUMBER_OF_A_BOX: &str =
@@ -188,6 +191,11 @@ impl Graded for BvhBuild {
             complaint: "the number of its first child",
             name: FIRST_CHILD,
             hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
+        },
+        Flaw {
+            complaint: "the number after its own",
+            name: NUMBER_AFTER_OWN,
+            hint: "How long is the list of nodes at the moment when a branch's first child is appended? Is that the branch's own number plus 1?",
         },
         Flaw {
             complaint: "the number of its first box",
@@ -476,6 +484,11 @@ impl Graded for BvhBuild {
             name: SECOND_CHILD,
             hint: "A search finds both children of a branch at its `first`, side by side: which two nodes stand there in your list?",
             answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 1),
+        },
+        Mistake {
+            name: NUMBER_AFTER_OWN,
+            hint: "How long is the list of nodes at the moment when a branch's first child is appended? Is that the branch's own number plus 1?",
+            answer: with_numbers_after_own,
         },
         Mistake {
             name: FIRST_CHILD,

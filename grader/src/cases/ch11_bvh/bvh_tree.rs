@@ -114,9 +114,13 @@ pub(super) fn apart(nodes: &[NodeRow]) -> Option<String> {
     ))
 }
 
-/// Whether the nodes stand depth first, each branch has the number of its first child, 0, or of its second, 1, and the children of
-/// some branch are not the two nodes from there.
+/// Whether the nodes stand depth first, as their boxes show, each branch has the number of its first child, 0, or of its second, 1, and
+/// the children of some branch are not the two nodes from there.
 fn are_apart(nodes: &[NodeRow], child: usize) -> bool {
+    let holds = |outer: &NodeRow, inner: usize| {
+        let inner = &nodes[inner];
+        outer.min.cmple(inner.min).all() && inner.max.cmple(outer.max).all()
+    };
     // From the last node to the first: all that have no branch yet, that with the least number last.
     let mut open = Vec::new();
     let mut apart = false;
@@ -126,7 +130,7 @@ fn are_apart(nodes: &[NodeRow], child: usize) -> bool {
                 return false;
             };
             let first = node.first as usize;
-            if first != [one, other][child] {
+            if first != [one, other][child] || !holds(node, one) || !holds(node, other) {
                 return false;
             }
             apart |= first != one || first + 1 != other;
@@ -136,7 +140,8 @@ fn are_apart(nodes: &[NodeRow], child: usize) -> bool {
     apart && open == [0]
 }
 
-/// What is wrong with a tree that is sound as soon as its leaves begin at other places, or its order is the other way round.
+/// What is wrong with a tree that is sound as soon as its branches have other numbers of children, its leaves begin at other places, or
+/// its order is the other way round.
 pub(super) fn misplaced(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
     let begun = |first: &dyn Fn(&NodeRow) -> Option<u32>| {
         let mut tree = tree.clone();
@@ -147,10 +152,20 @@ pub(super) fn misplaced(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
     };
     let is_sound =
         |tree: Option<BvhBuildAnswer>| tree.is_some_and(|tree| tree_cost(q, &tree).is_ok());
+    let mut by_rows = tree.clone();
+    let mut branches = by_rows.nodes.iter_mut().filter(|node| node.count == 0);
+    let is_next = |(at, node): (usize, &NodeRow)| node.count > 0 || node.first as usize == at + 1;
+    let are_next = tree.nodes.iter().enumerate().all(is_next);
+    (1..)
+        .step_by(2)
+        .zip(&mut branches)
+        .for_each(|(first, node)| node.first = first);
     let place = |shape: u32| tree.order.iter().position(|other| *other == shape);
     let behind = is_sound(begun(&|leaf| leaf.first.checked_sub(leaf.count)));
     let late = is_sound(begun(&|leaf| leaf.first.checked_sub(1)));
-    let why = if is_sound(begun(&|leaf| Some(place(leaf.first)? as u32))) {
+    let why = if are_next && is_sound(Some(by_rows)) {
+        "the nodes stand row by row, and each branch has the number after its own, and not that of its first child"
+    } else if is_sound(begun(&|leaf| Some(place(leaf.first)? as u32))) {
         "each leaf has the number of its first box for its `first`, and not that box's place in the order"
     } else if behind && late {
         "each leaf begins behind its last box, one place too late"

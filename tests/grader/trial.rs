@@ -4,7 +4,8 @@ use glam::DVec3;
 use rand::RngExt;
 use raybook::math::pcg;
 use raybook_grader::cases;
-use raybook_grader::diagnose::trial::{Trial, beside};
+use raybook_grader::diagnose::ties::beside;
+use raybook_grader::diagnose::trial::Trial;
 use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
@@ -45,7 +46,7 @@ fn a_question_beside_another_differs_in_its_last_digits_whatever_its_seed() {
     let examiner = cases::find("poisson_disk").expect("an exercise");
     let question = [0.125, 4e9]; // the distance, and the seed
     for _ in 0..100 {
-        let moved = beside(examiner, &question, rng);
+        let moved = beside(examiner, &question, 1.0, rng);
         assert!((moved[0] - 0.125).abs() < 1e-6, "{moved:?}");
         assert_eq!(moved[1], 4e9);
     }

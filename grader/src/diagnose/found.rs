@@ -4,7 +4,7 @@ use super::evidence::{Evidence, Scope, Score};
 use super::fit::Answers;
 use super::pairs;
 use super::special::SEEN;
-use super::{Beside, Diagnosis};
+use super::{Beside, Diagnosis, MOST, ties};
 
 /// A guess that explains all wrong answers may be contradicted by this many right ones for each.
 const SOME: usize = 4;
@@ -30,14 +30,17 @@ pub struct Found {
     pub fitted: u32,
     pub score: Score,
     pub answers: Answers,
+    /// How many of these are what they are because rounding decides.
+    pub ties: usize,
 }
 
 impl Found {
     /// Small is good.
-    pub fn key(&self) -> (usize, u32, usize) {
+    pub fn key(&self) -> (usize, usize, u32, usize) {
         let loss = self.score.missed + self.score.contradicted;
         (
             loss,
+            self.ties,
             self.rank + 2 * self.fitted,
             usize::MAX - self.score.close,
         )
@@ -46,6 +49,19 @@ impl Found {
     /// Whether it explains all wrong answers, and contradicts no right one.
     pub fn is_complete(&self) -> bool {
         self.score.missed + self.score.contradicted == 0
+    }
+
+    /// Where rounding decides, takes what one `answer`s who makes the mistake as the student's rounding decides.
+    pub fn decide_ties(
+        &mut self,
+        evidence: &Evidence<'_>,
+        answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    ) {
+        if !self.is_complete() && self.is_nearly_complete() {
+            self.ties = ties::decide(evidence, &mut self.answers, answer);
+            let score = evidence.score(MOST, |k| self.answers[k].clone());
+            self.score = score.unwrap_or(self.score);
+        }
     }
 
     /// Whether few answers are not as it says.

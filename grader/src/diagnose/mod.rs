@@ -25,6 +25,7 @@ pub(crate) mod search;
 pub(crate) mod slips;
 mod special;
 mod spread;
+pub mod ties;
 pub mod trial;
 
 use crate::examine::{Case, Examiner};

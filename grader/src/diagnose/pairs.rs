@@ -74,6 +74,7 @@ pub fn both(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Fo
             fitted: 0,
             score,
             answers,
+            ties: 0,
         };
         // In a few cases another way around a division by 0 decides.
         if score.contradicted == 0 && pair.is_nearly_complete() {
@@ -174,6 +175,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                     fitted: 0,
                     score,
                     answers,
+                    ties: 0,
                 });
             }
         }
@@ -198,7 +200,12 @@ impl Upon {
 
     /// What is answered to an item's question; none if one of the two stops with an error.
     pub fn answer(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
-        let ([first, second], question) = (self.pair, &evidence.items[item].question);
+        self.answer_to(evidence, &evidence.items[item].question)
+    }
+
+    /// The same for any question.
+    fn answer_to(&self, evidence: &Evidence<'_>, question: &[f64]) -> Option<Vec<f64>> {
+        let [first, second] = self.pair;
         let both = attempt(|| evidence.examiner.mistakes_answer(first, second, question));
         let (answer, is_made) = both.flatten()?;
         self.is_made.set(self.is_made.get() || is_made);
@@ -254,7 +261,7 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 continue;
             };
             let [(name, hint), then] = upon.told(evidence);
-            found.push(Found {
+            let mut pair = Found {
                 name,
                 hint,
                 then: Some(then),
@@ -263,7 +270,10 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 fitted: 0,
                 score,
                 answers,
-            });
+                ties: 0,
+            };
+            pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
+            found.push(pair);
         }
     }
 }
@@ -353,6 +363,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
                     fitted: again.fitted,
                     score,
                     answers,
+                    ties: 0,
                 });
             }
         }
@@ -386,6 +397,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
                 fitted: 0,
                 score,
                 answers,
+                ties: 0,
             });
         }
     };

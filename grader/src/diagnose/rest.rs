@@ -60,6 +60,7 @@ fn both(evidence: &Evidence<'_>, first: &Found, other: Other, rest: &[usize]) ->
         fitted: first.fitted,
         score,
         answers: other.answers,
+        ties: 0,
     };
     found.is_complete().then_some(found)
 }

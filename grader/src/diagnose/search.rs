@@ -70,7 +70,8 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
             let is_rough = best.score.is_rough;
             let is_vague = best.is_categorical() && one.is_own() || is_rough;
             let is_near = one.score.missed == 0 && one.is_nearly_complete();
-            is_vague && (one.is_complete() || is_rough && is_near)
+            let is_as_exact = one.ties <= best.ties;
+            is_vague && is_as_exact && (one.is_complete() || is_rough && is_near)
         } else {
             one.key() == best.key() && one.name != best.name
         }
@@ -96,7 +97,12 @@ fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
             fitted: 0,
             answers: Vec::new(),
         };
+        let known = found.len();
         consider(evidence, share, one, &answer, found);
+        let answer = |question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
+        for one in &mut found[known..] {
+            one.decide_ties(evidence, &answer);
+        }
     }
 }
 
@@ -167,7 +173,8 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
             consider(evidence, share, one, &|k| answers[k].clone(), found);
         }
     }
-    if share >= MOST && found.iter().any(Found::is_complete) {
+    let is_exact = |one: &Found| one.is_complete() && one.ties == 0;
+    if share >= MOST && found.iter().any(is_exact) {
         return; // a mistake of its own is told before any other
     }
     let golden = golden(evidence);
@@ -367,5 +374,6 @@ fn consider_after(
         fitted,
         score,
         answers,
+        ties: 0,
     });
 }

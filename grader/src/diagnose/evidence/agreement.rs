@@ -259,6 +259,20 @@ impl Evidence<'_> {
         (agrees, close && far.all(is_near))
     }
 
+    /// Whether answers to a question are not all the same one to its judge.
+    pub fn differ(&self, item: &Item, answers: &[Option<Vec<f64>>]) -> bool {
+        let Some((first, others)) = answers.split_first() else {
+            return false;
+        };
+        others.iter().any(|other| match (first, other) {
+            (Some(first), Some(other)) => {
+                let compared = self.examiner.compare(&item.question, first, other);
+                compared.is_err()
+            }
+            (first, other) => first.is_some() != other.is_some(),
+        })
+    }
+
     /// Whether an answer gives that of an item.
     pub fn explains(&self, item: usize, answer: &[f64]) -> bool {
         let item = &self.items[item];

@@ -8,13 +8,12 @@ mod suspects;
 
 use super::evidence::Evidence;
 use super::search::called;
+use super::ties::beside;
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
-use crate::layout::{layout, parts};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
-use raybook_workbook::kind::Kind;
 use std::collections::BTreeSet;
 use suspects::{HALF, Suspect, suspects};
 
@@ -44,9 +43,6 @@ const BY_CHANCE: usize = 1;
 
 /// Tries of moving a question's last digits.
 const BESIDE: usize = 4;
-
-/// By how much they are moved at most, as a share of the question's largest number.
-const LAST_DIGITS: f64 = 1e-6;
 
 /// Rounds of random cases that are asked where answers are compared by their traits.
 const ROUNDS: usize = 3;
@@ -153,7 +149,11 @@ impl<'a> Trial<'a> {
         let one = Diagnosis {
             name: first.name.clone(),
             hint: first.hint.clone(),
-            explained: first.score.explained,
+            explained: if first.name == self.told.name {
+                self.told.explained.max(first.score.explained)
+            } else {
+                first.score.explained
+            },
             further: evidence.wrong,
             beside: Beside::Apart,
             ..self.told.clone()
@@ -276,26 +276,7 @@ fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool 
     (0..BESIDE).all(|_| {
         let both = golden
             .as_ref()
-            .zip(answer(&beside(examiner, question, rng)));
+            .zip(answer(&beside(examiner, question, 1.0, rng)));
         both.is_some_and(|(golden, answer)| is_right(golden, &answer).is_ok())
     })
-}
-
-/// A question whose numbers, but for whole and infinite ones, differ from those of this one in their last digits.
-pub fn beside(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
-    let kind = examiner.asked().question;
-    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
-    let mut leaves = layout(kind, question).leaves;
-    // Nor does a whole number tell how large the others are: a seed may be four billion.
-    leaves.retain(|leaf| !matches!(kinds[leaf.part], Kind::Whole));
-    let sizes = leaves.iter().flat_map(|leaf| &question[leaf.range()]);
-    let sizes = sizes.filter(|v| v.is_finite());
-    let size = sizes.fold(0.0, |size: f64, v| size.max(v.abs()));
-    let mut moved = question.to_vec();
-    for leaf in leaves {
-        for v in &mut moved[leaf.range()] {
-            *v = f64::from((*v + size * LAST_DIGITS * rng.random_range(-1.0..1.0)) as f32);
-        }
-    }
-    moved
 }

@@ -22,6 +22,7 @@ mod regimes;
 mod several;
 mod structures;
 mod students;
+mod ties;
 mod undone;
 mod unforeseen;
 mod written;

@@ -23,9 +23,10 @@ const SOME: f64 = 0.5;
 /// By how much a question's numbers are moved at most, as a share of the largest.
 const LAST_DIGITS: f64 = 1e-6;
 
-/// Puts for what a mistake answers, where the student's answer is another, what it `answer`s to a question next to it, if that is the
-/// student's; or the student's answer, if what is answered to several questions next to it is not one answer either. Only where the
-/// right answer is another next to the question, too. The number of answers that are others then.
+/// Decides ties among `answers`, which are those of a mistake, as the student's rounding does; returns how many there are.
+///
+/// A question is a tie if the right answer is another next to it. There the mistake's answer becomes the one that it gives next to the
+/// question and that is the student's; and where it gives several answers next to it, of which none is, any is as good as the student's.
 pub fn decide(
     evidence: &Evidence<'_>,
     answers: &mut Answers,

@@ -1,8 +1,7 @@
-//! What is made of the ends of an interval: one that is not asked, and a distance that is moved to one; and of what rounding decides.
+//! What is made of the ends of an interval: one that is not asked, and a distance that is moved to one.
 
 use super::function::diagnosed;
 use glam::DVec3;
-use raybook_grader::cases;
 
 /// The numbers of vectors that begin at these places of a question.
 fn vectors<const N: usize>(q: &[f64], from: [usize; N]) -> [DVec3; N] {
@@ -53,19 +52,4 @@ fn who_answers_too_often_and_otherwise_than_a_mistake_is_not_told_it_for_certain
         Some(answer(Some(t).filter(|t| t.is_finite())))
     });
     assert!(!found.certain, "{found:?}");
-}
-
-#[test]
-fn an_answer_that_rounding_decides_is_a_mistakes_as_well() {
-    let grid = cases::find("grid_resolution").expect("the exercise exists");
-    let floors = grid
-        .mistake_called("rounds down")
-        .expect("it is one of its mistakes");
-    let found = diagnosed("grid_resolution", |q| {
-        let mut next_to = q.to_vec();
-        next_to[4] *= 1.0 - 1e-6; // a hair less dense: 20 cells are 19.99…
-        grid.mistake_answers(floors, &next_to)
-    });
-    assert_eq!(found.name, "rounds down");
-    assert_eq!((found.certain, found.explained), (true, found.wrong));
 }

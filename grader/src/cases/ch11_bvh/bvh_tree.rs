@@ -152,18 +152,10 @@ pub(super) fn misplaced(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
     };
     let is_sound =
         |tree: Option<BvhBuildAnswer>| tree.is_some_and(|tree| tree_cost(q, &tree).is_ok());
-    let mut by_rows = tree.clone();
-    let mut branches = by_rows.nodes.iter_mut().filter(|node| node.count == 0);
-    let is_next = |(at, node): (usize, &NodeRow)| node.count > 0 || node.first as usize == at + 1;
-    let are_next = tree.nodes.iter().enumerate().all(is_next);
-    (1..)
-        .step_by(2)
-        .zip(&mut branches)
-        .for_each(|(first, node)| node.first = first);
     let place = |shape: u32| tree.order.iter().position(|other| *other == shape);
     let behind = is_sound(begun(&|leaf| leaf.first.checked_sub(leaf.count)));
     let late = is_sound(begun(&|leaf| leaf.first.checked_sub(1)));
-    let why = if are_next && is_sound(Some(by_rows)) {
+    let why = if is_sound(by_rows(tree)) {
         "the nodes stand row by row, and each branch has the number after its own, and not that of its first child"
     } else if is_sound(begun(&|leaf| Some(place(leaf.first)? as u32))) {
         "each leaf has the number of its first box for its `first`, and not that box's place in the order"
@@ -182,6 +174,18 @@ pub(super) fn misplaced(q: &BvhBuild, tree: &BvhBuildAnswer) -> Option<String> {
         return None;
     };
     Some(why.to_owned())
+}
+
+/// A tree in which each branch has the number after its own for its first child: the same with the numbers that these have row by row.
+/// None of other trees.
+fn by_rows(tree: &BvhBuildAnswer) -> Option<BvhBuildAnswer> {
+    let mut tree = tree.clone();
+    let branches = tree.nodes.iter_mut().enumerate();
+    let branches = branches.filter(|(_, node)| node.count == 0);
+    for ((own, node), first) in branches.zip((1..).step_by(2)) {
+        (node.first as usize == own + 1).then(|| node.first = first)?;
+    }
+    Some(tree)
 }
 
 /// The place of each number in a list; the place behind the last for a number that is not in the list.

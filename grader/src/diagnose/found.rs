@@ -51,6 +51,11 @@ impl Found {
         self.score.missed + self.score.contradicted == 0
     }
 
+    /// Whether it explains all wrong answers, none of them because rounding decides so.
+    pub fn is_exact(&self) -> bool {
+        self.is_complete() && self.ties == 0
+    }
+
     /// Where rounding decides, takes what one `answer`s who makes the mistake as the student's rounding decides.
     pub fn decide_ties(
         &mut self,

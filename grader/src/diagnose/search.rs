@@ -173,8 +173,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
             consider(evidence, share, one, &|k| answers[k].clone(), found);
         }
     }
-    let is_exact = |one: &Found| one.is_complete() && one.ties == 0;
-    if share >= MOST && found.iter().any(is_exact) {
+    if share >= MOST && found.iter().any(Found::is_exact) {
         return; // a mistake of its own is told before any other
     }
     let golden = golden(evidence);
@@ -192,10 +191,10 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         let answer = |k: usize| misread(evidence, reading, k);
         by_reading(evidence, share, reading, &answer, found);
     }
-    if evidence.is_judged() && !found.iter().any(Found::is_complete) {
+    if evidence.is_judged() && !found.iter().any(Found::is_exact) {
         by_slips(evidence, share, slipped(evidence), found);
     }
-    if !found.iter().any(Found::is_complete) {
+    if !found.iter().any(Found::is_exact) {
         for one in fit::undone(evidence, &golden) {
             let answers = one.answers.clone();
             consider(evidence, share, one, &|k| answers[k].clone(), found);
@@ -203,14 +202,14 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     }
     let is_whole = evidence.is_judged() && evidence.scope == Scope::Whole && share >= MOST;
     let is_quick = evidence.examiner.limits().effort <= 1;
-    if is_whole && is_quick && !found.iter().any(Found::is_complete) {
+    if is_whole && is_quick && !found.iter().any(Found::is_exact) {
         for reading in bounded(evidence.examiner.asked().question) {
             let answer = |k: usize| misread(evidence, &reading, k);
             by_reading(evidence, share, &reading, &answer, found);
         }
     }
     let is_fit = is_whole && evidence.tells_much();
-    if is_fit && !found.iter().any(Found::is_complete) {
+    if is_fit && !found.iter().any(Found::is_exact) {
         for reading in times(evidence.examiner.asked().question) {
             let answer = |by: f64, k: usize| misread(evidence, &reading(by), k);
             let Some(by) = fit::factor::factor(evidence, &answer) else {

@@ -3,7 +3,6 @@
 
 use super::evidence::Evidence;
 use super::fit::Answers;
-use super::search::called;
 use crate::examine::{Examiner, visible_rng};
 use crate::layout::{layout, parts};
 use rand::RngExt;
@@ -25,8 +24,8 @@ const LAST_DIGITS: f64 = 1e-6;
 
 /// Decides ties among `answers`, which are those of a mistake, as the student's rounding does; returns how many there are.
 ///
-/// A question is a tie if the right answer is another next to it. There the mistake's answer becomes the one that it gives next to the
-/// question and that is the student's; and where it gives several answers next to it, of which none is, any is as good as the student's.
+/// There the mistake's answer becomes the one that it gives next to the question and that is the student's; and where it gives several
+/// answers next to it, of which none is, any is as good as the student's. What explains all answers without such leave comes first.
 pub fn decide(
     evidence: &Evidence<'_>,
     answers: &mut Answers,
@@ -51,13 +50,6 @@ pub fn decide(
         let item = &evidence.items[k];
         let next_to = |_| beside(evidence.examiner, &item.question, SOME, rng);
         let next_to: Vec<_> = (0..TRIES).map(next_to).collect();
-        let right: Vec<_> = next_to
-            .iter()
-            .map(|next| called(evidence.examiner.asked(), next))
-            .collect();
-        if !evidence.differ(item, &right) {
-            continue;
-        }
         let tries: Vec<_> = next_to.iter().map(|next| answer(next)).collect();
         let tie = match tries.iter().position(|tie| gives(k, tie)) {
             Some(at) => tries[at].clone(),

@@ -2,6 +2,8 @@
 
 use super::function::diagnosed;
 use raybook_grader::cases;
+use raybook_grader::diagnose::ties::beside;
+use raybook_grader::examine::visible_rng;
 
 #[test]
 fn an_answer_that_rounding_decides_is_a_mistakes_as_well() {
@@ -16,4 +18,34 @@ fn an_answer_that_rounding_decides_is_a_mistakes_as_well() {
     });
     assert_eq!(found.name, "rounds down");
     assert_eq!((found.certain, found.explained), (true, found.wrong));
+}
+
+#[test]
+fn a_walk_that_touches_other_cells_is_a_mistakes_as_well() {
+    let walks = [
+        (
+            "two_level_walk",
+            "takes the cells along z first, the coarse ones and the fine ones",
+        ),
+        (
+            "octree_walk",
+            "returns the leaves in the order of their numbers",
+        ),
+    ];
+    for (name, mistake) in walks {
+        let walk = cases::find(name).expect("the exercise exists");
+        let number = walk
+            .mistake_called(mistake)
+            .expect("it is one of its mistakes");
+        let found = diagnosed(name, |q| {
+            let rng = &mut visible_rng(&format!("{q:?}"));
+            walk.mistake_answers(number, &beside(walk, q, 0.5, rng))
+        });
+        assert_eq!(found.name, mistake);
+        assert_eq!(
+            (found.certain, found.explained),
+            (true, found.wrong),
+            "{name}"
+        );
+    }
 }

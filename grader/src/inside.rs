@@ -31,6 +31,7 @@ pub mod diagnose {
 
     use crate::diagnose::{evidence::Evidence, misread::misreadings, search::search};
     use crate::examine::{Case, Examiner};
+    use crate::mutex::lock;
 
     /// The number of steps that slips go until the search for what explains these answers ends.
     pub fn steps(
@@ -41,7 +42,7 @@ pub mod diagnose {
         let evidence = Evidence::new(examiner, cases, answers);
         let readings = misreadings(examiner.asked().question, examiner.limits());
         search(&evidence, &readings);
-        evidence.slips.borrow().steps
+        lock(&evidence.slips).steps
     }
 }
 

@@ -42,8 +42,7 @@ impl InOne {
     /// What it answers to question k.
     pub fn answer(&self, evidence: &Evidence<'_>, k: usize) -> Option<Vec<f64>> {
         let item = &evidence.items[k];
-        let examiner = evidence.examiner;
-        let mistaken = examiner.mistake_answers(self.mistake, &item.question)?;
+        let mistaken = evidence.mistaken(self.mistake, k)?;
         let mut answer = item.golden().to_vec();
         *answer.get_mut(self.number)? = *mistaken.get(self.number)?;
         Some(answer)

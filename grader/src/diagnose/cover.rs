@@ -1,5 +1,6 @@
 //! Several mistakes in one function, each of which shows in other cases: who begins makes two at once.
 
+use super::each::each;
 use super::evidence::{Evidence, Score};
 use super::misread::Misreading;
 use super::search::misread;
@@ -160,12 +161,15 @@ fn ones(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<One> {
             shown: evidence.first_explained(&answers),
         })
     };
-    let own = examiner.mistakes().into_iter().enumerate();
-    let own = own.filter_map(|(i, (name, hint))| one(name, hint, 0, &|k| evidence.mistaken(i, k)));
+    let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
+    let own = each(&mistakes, |&(i, (name, hint))| {
+        one(name, hint, 0, &|k| evidence.mistaken(i, k))
+    });
     let common = readings.iter().filter(|reading| reading.rank <= COMMON);
-    let read = common.filter_map(|reading| {
+    let common: Vec<_> = common.collect();
+    let read = each(&common, |reading| {
         let answer = |k: usize| misread(evidence, reading, k);
         one(&reading.name, &reading.hint, reading.rank, &answer)
     });
-    own.chain(read).collect()
+    own.into_iter().chain(read).flatten().collect()
 }

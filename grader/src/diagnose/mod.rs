@@ -9,6 +9,7 @@ mod beyond;
 mod branch;
 mod component;
 mod cover;
+mod each;
 pub(crate) mod evidence;
 mod fit;
 pub(crate) mod flaws;

@@ -1,5 +1,6 @@
 //! Explanations by two mistakes, one after the other or beside each other.
 
+use super::each::each;
 use super::evidence::{Evidence, Item, Scope};
 use super::fit::{self, Answers};
 use super::found::Found;
@@ -235,47 +236,50 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     };
     // Where single answers say little more than yes or no, a pair must give every wrong one.
     let share = if probe.tells_much() { MOST } else { 1.0 };
-    let mistakes = 0..evidence.examiner.mistakes().len();
+    let mistakes: Vec<_> = (0..evidence.examiner.mistakes().len()).collect();
     // Where answers take long, one of the two must give half of the answers alone.
     let is_slow = evidence.examiner.limits().effort >= SLOW;
-    let gives = |mistake: usize| {
+    let gives = |mistake: &usize| {
         let gives = |k: &usize| {
-            let alone = probe.mistaken(mistake, *k);
+            let alone = probe.mistaken(*mistake, *k);
             alone.is_some_and(|alone| probe.explains(*k, &alone))
         };
         !is_slow || 2 * (0..probe.wrong).filter(gives).count() >= probe.wrong
     };
-    let gives: Vec<_> = mistakes.clone().map(gives).collect();
-    for first in mistakes.clone() {
-        let others = mistakes.clone().filter(|second| *second != first);
-        for second in others.filter(|second| gives[first] || gives[*second]) {
-            let upon = Upon::new(first, second);
-            let promises = probe.score(PROMISING * share, |k| upon.answer(&probe, k));
-            if promises.is_none() || !upon.is_made() {
-                continue;
-            }
-            let answers: Answers = (0..evidence.items.len())
-                .map(|k| upon.answer(evidence, k))
-                .collect();
-            let Some(score) = evidence.score(share, |k| answers[k].clone()) else {
-                continue;
-            };
-            let [(name, hint), then] = upon.told(evidence);
-            let mut pair = Found {
-                name,
-                hint,
-                then: Some(then),
-                rival: None,
-                rank: UPON,
-                fitted: 0,
-                score,
-                answers,
-                ties: 0,
-            };
-            pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
-            found.push(pair);
+    let gives = each(&mistakes, gives);
+    let pairs = mistakes.iter().flat_map(|first| {
+        let others = mistakes.iter().filter(move |second| *second != first);
+        others.map(|second| [*first, *second])
+    });
+    let pairs: Vec<_> = pairs
+        .filter(|pair| pair.iter().any(|one| gives[*one]))
+        .collect();
+    let made = each(&pairs, |&[first, second]| {
+        let upon = Upon::new(first, second);
+        let promises = probe.score(PROMISING * share, |k| upon.answer(&probe, k));
+        if promises.is_none() || !upon.is_made() {
+            return None;
         }
-    }
+        let answers: Answers = (0..evidence.items.len())
+            .map(|k| upon.answer(evidence, k))
+            .collect();
+        let score = evidence.score(share, |k| answers[k].clone())?;
+        let [(name, hint), then] = upon.told(evidence);
+        let mut pair = Found {
+            name,
+            hint,
+            then: Some(then),
+            rival: None,
+            rank: UPON,
+            fitted: 0,
+            score,
+            answers,
+            ties: 0,
+        };
+        pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
+        Some(pair)
+    });
+    found.extend(made.into_iter().flatten());
 }
 
 /// What is answered to an item's question, in the order in which answers are compared.

@@ -7,7 +7,7 @@ use super::found::Found;
 use super::misread::Misreading;
 use super::pairs::{TOGETHER, of_two};
 use super::search::{golden, misread};
-use super::slips::{Slipped, fitted, slipped};
+use super::slips::{Slipped, each_slip, fitted, slipped};
 use super::special;
 
 /// The rank of a second mistake: what is told of both is never certain.
@@ -149,7 +149,7 @@ fn on_one_way(evidence: &Evidence<'_>, first: &Found, rest: &[usize]) -> Vec<Fou
     let mut slips = slipped(evidence);
     slips.extend(fitted(evidence));
     let explained: Vec<_> = (0..evidence.wrong).filter(|k| !rest.contains(k)).collect();
-    let is_first = |slip: &&Slipped| {
+    let is_first = |slip: &Slipped| {
         let agrees = |k: &usize| {
             let answer = slip.answer_to(evidence, *k);
             answer.is_some_and(|answer| evidence.explains(*k, &answer))
@@ -157,7 +157,12 @@ fn on_one_way(evidence: &Evidence<'_>, first: &Found, rest: &[usize]) -> Vec<Fou
         slip.name == first.name || explained.iter().all(agrees)
     };
     let mut found = Vec::new();
-    for one in slips.iter().filter(is_first).take(SLIPS) {
+    let are_first = each_slip(evidence, &slips, is_first);
+    let firsts = slips
+        .iter()
+        .zip(are_first)
+        .filter(|(_, is_first)| *is_first);
+    for (one, _) in firsts.take(SLIPS) {
         for other in slips.iter().filter(|other| one.goes_with(other)) {
             let of_item = |k: usize| one.answer_with(other, &evidence.items[k].question);
             let explains =

@@ -1,13 +1,14 @@
 //! Trying all explanations by one mistake.
 
 use super::component;
+use super::each::each;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
 use super::misread::{Misreading, bounded, times};
 use super::pairs::{both, composed, made_upon, pairs};
 use super::regime::{self, Regime};
-use super::slips::{Slipped, fitted, goes_a_known_way, slipped};
+use super::slips::{Slipped, each_slip, fitted, goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
@@ -87,23 +88,28 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
 /// The exercise's own mistakes that give this share of the wrong answers.
 fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
-    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        let answer = |k: usize| evidence.mistaken(i, k);
-        let (name, hint) = (name.to_owned(), hint.to_owned());
+    let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
+    found.extend(consider_each(&mistakes, |&(i, (name, hint))| {
         let one = Explanation {
-            name,
-            hint,
+            name: name.to_owned(),
+            hint: hint.to_owned(),
             rank: 0,
             fitted: 0,
             answers: Vec::new(),
         };
-        let known = found.len();
-        consider(evidence, share, one, &answer, found);
+        let mut one = consider(evidence, share, one, &|k| evidence.mistaken(i, k))?;
         let answer = |question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
-        for one in &mut found[known..] {
-            one.decide_ties(evidence, &answer);
-        }
-    }
+        one.decide_ties(evidence, &answer);
+        Some(one)
+    }));
+}
+
+/// What is found when each of these is considered.
+fn consider_each<T: Sync>(
+    of: &[T],
+    consider: impl Fn(&T) -> Option<Found> + Sync,
+) -> impl Iterator<Item = Found> {
+    each(of, consider).into_iter().flatten()
 }
 
 /// The own mistake that gives nearly all answers. In a few cases rounding decides what is answered: a ray in a plane, a box that is only
@@ -167,11 +173,13 @@ const ENOUGH: usize = 3;
 /// All explanations by one mistake that give this share of the wrong answers.
 pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found: &mut Vec<Found>) {
     own(evidence, share, found);
+    let known = |one: Explanation| {
+        let answers = one.answers.clone();
+        consider(evidence, share, one, &|k| answers[k].clone())
+    };
     if evidence.is_rough() {
-        for one in fit::factors(evidence, &golden(evidence)) {
-            let answers = one.answers.clone();
-            consider(evidence, share, one, &|k| answers[k].clone(), found);
-        }
+        let factors = fit::factors(evidence, &golden(evidence));
+        found.extend(factors.into_iter().filter_map(known));
     }
     if share >= MOST && found.iter().any(Found::is_exact) {
         return; // a mistake of its own is told before any other
@@ -179,74 +187,60 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     let golden = golden(evidence);
     let mut made = special::explanations(evidence, &golden);
     made.extend(fit::explanations(evidence, &golden, true));
-    for one in made {
-        let answers = one.answers.clone();
-        consider(evidence, share, one, &|k| answers[k].clone(), found);
-    }
-    for one in component::all(evidence) {
+    found.extend(made.into_iter().filter_map(known));
+    found.extend(consider_each(&component::all(evidence), |one| {
         let answer = |k: usize| one.answer(evidence, k);
-        consider(evidence, share, one.explanation(), &answer, found);
-    }
-    for reading in readings {
+        consider(evidence, share, one.explanation(), &answer)
+    }));
+    let misread = |reading: &Misreading| {
         let answer = |k: usize| misread(evidence, reading, k);
-        by_reading(evidence, share, reading, &answer, found);
-    }
+        consider(evidence, share, by_reading(reading), &answer)
+    };
+    found.extend(consider_each(readings, misread));
     if evidence.is_judged() && !found.iter().any(Found::is_exact) {
         by_slips(evidence, share, slipped(evidence), found);
     }
     if !found.iter().any(Found::is_exact) {
-        for one in fit::undone(evidence, &golden) {
-            let answers = one.answers.clone();
-            consider(evidence, share, one, &|k| answers[k].clone(), found);
-        }
+        let undone = fit::undone(evidence, &golden);
+        found.extend(undone.into_iter().filter_map(known));
     }
     let is_whole = evidence.is_judged() && evidence.scope == Scope::Whole && share >= MOST;
     let is_quick = evidence.examiner.limits().effort <= 1;
+    let asked = evidence.examiner.asked().question;
     if is_whole && is_quick && !found.iter().any(Found::is_exact) {
-        for reading in bounded(evidence.examiner.asked().question) {
-            let answer = |k: usize| misread(evidence, &reading, k);
-            by_reading(evidence, share, &reading, &answer, found);
-        }
+        found.extend(consider_each(&bounded(asked), misread));
     }
     let is_fit = is_whole && evidence.tells_much();
     if is_fit && !found.iter().any(Found::is_exact) {
-        for reading in times(evidence.examiner.asked().question) {
-            let answer = |by: f64, k: usize| misread(evidence, &reading(by), k);
-            let Some(by) = fit::factor::factor(evidence, &answer) else {
-                continue;
-            };
-            let answer = |k: usize| answer(by, k);
-            by_reading(evidence, share, &reading(by), &answer, found);
-        }
+        found.extend(consider_each(&times(asked), |reading| {
+            let answer = |by: f64, k: usize| self::misread(evidence, &reading(by), k);
+            let by = fit::factor::factor(evidence, &answer)?;
+            misread(&reading(by))
+        }));
         by_slips(evidence, share, fitted(evidence), found);
     }
 }
 
-/// The explanation by a question that was misread, and by what is answered to it.
-fn by_reading(
-    evidence: &Evidence<'_>,
-    share: f64,
-    reading: &Misreading,
-    answer: &dyn Fn(usize) -> Option<Vec<f64>>,
-    found: &mut Vec<Found>,
-) {
-    let one = Explanation {
+/// The explanation by a question that was misread.
+fn by_reading(reading: &Misreading) -> Explanation {
+    Explanation {
         name: reading.name.clone(),
         hint: reading.hint.clone(),
         rank: reading.rank,
         fitted: 0,
         answers: Vec::new(),
-    };
-    consider(evidence, share, one, answer, found);
+    }
 }
 
 /// All explanations by a step that goes wrong.
 fn by_slips(evidence: &Evidence<'_>, share: f64, mut slips: Vec<Slipped>, found: &mut Vec<Found>) {
     slips.sort_by_key(|slip| slip.rank);
     let mut few_of_ways = BTreeMap::new();
-    for slip in slips {
+    for slip in &slips {
         let few = few_of_ways.entry(slip.way);
-        let few = few.or_insert_with(|| slip.tried_on(evidence, share));
+        few.or_insert_with(|| slip.tried_on(evidence, share));
+    }
+    let considered = each_slip(evidence, &slips, |slip| {
         let answer = |k: usize| {
             let made = slip.answer_to(evidence, k)?;
             Some(evidence.normalised(made))
@@ -258,15 +252,15 @@ fn by_slips(evidence: &Evidence<'_>, share: f64, mut slips: Vec<Slipped>, found:
             fitted: 0,
             answers: Vec::new(),
         };
-        let known = found.len();
-        consider_after(evidence, few, share, one, &answer, found);
-        for one in &mut found[known..] {
-            let beside = |k: usize| slip.answer_beside(&evidence.items[k].question);
-            let beside = evidence.score(share, beside);
-            let is_vague = beside.is_some_and(|beside| beside.sharp >= one.score.sharp);
-            one.score.is_doubtful |= slip.is_doubtful() || is_vague;
-        }
-    }
+        let few = &few_of_ways[&slip.way];
+        let mut one = consider_after(evidence, few, share, one, &answer)?;
+        let beside = |k: usize| slip.answer_beside(&evidence.items[k].question);
+        let beside = evidence.score(share, beside);
+        let is_vague = beside.is_some_and(|beside| beside.sharp >= one.score.sharp);
+        one.score.is_doubtful |= slip.is_doubtful() || is_vague;
+        Some(one)
+    });
+    found.extend(considered.into_iter().flatten());
 }
 
 /// The step that goes wrong where many answers are right, as of a tree: told if right answers are those of the same way. Few decisions
@@ -322,22 +316,14 @@ pub fn called(asked: &Asked, question: &[f64]) -> Option<Vec<f64>> {
     attempt(|| (asked.call)(question))
 }
 
-/// Keeps an explanation that gives this share of the wrong answers.
-pub fn consider(
+/// An explanation that gives this share of the wrong answers.
+fn consider(
     evidence: &Evidence<'_>,
     share: f64,
     one: Explanation,
     answer: &dyn Fn(usize) -> Option<Vec<f64>>,
-    found: &mut Vec<Found>,
-) {
-    consider_after(
-        evidence,
-        &evidence.few(share, |_| ()),
-        share,
-        one,
-        answer,
-        found,
-    );
+) -> Option<Found> {
+    consider_after(evidence, &evidence.few(share, |_| ()), share, one, answer)
 }
 
 /// The same, given up if it gives none of a few wrong answers.
@@ -347,32 +333,22 @@ fn consider_after(
     share: f64,
     one: Explanation,
     answer: &dyn Fn(usize) -> Option<Vec<f64>>,
-    found: &mut Vec<Found>,
-) {
-    let Some(score) = evidence.score_after(few, share, answer) else {
-        return;
-    };
+) -> Option<Found> {
+    let score = evidence.score_after(few, share, answer)?;
     let answers = if one.answers.is_empty() {
         (0..evidence.items.len()).map(answer).collect()
     } else {
         one.answers
     };
-    let Explanation {
-        name,
-        hint,
-        rank,
-        fitted,
-        ..
-    } = one;
-    found.push(Found {
-        name,
-        hint,
+    Some(Found {
+        name: one.name,
+        hint: one.hint,
         then: None,
         rival: None,
-        rank,
-        fitted,
+        rank: one.rank,
+        fitted: one.fitted,
         score,
         answers,
         ties: 0,
-    });
+    })
 }

@@ -1,12 +1,13 @@
 //! Answers of which many are right: a mistake shows in their traits, costs or shares of a distribution, over all cases together.
 
+use super::each::each;
 use super::evidence::{Evidence, Item};
-use super::fit::{self, Answers};
+use super::fit;
 use super::function::COMMON;
 use super::misread::Misreading;
 use super::pairs::Upon;
 use super::search::{golden, misread};
-use super::slips::{RANK, Slipped, slipped};
+use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
 
 /// What is not explained by a mistake may be this share of what it explains …
@@ -228,38 +229,35 @@ fn considered(
         })
     };
     let mut found: Vec<Considered> = Vec::new();
-    for (i, (name, hint)) in examiner.mistakes().into_iter().enumerate() {
-        let answer = |k| evidence.mistaken(i, k);
-        found.extend(consider(0, name, hint, &answer));
-    }
+    let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
+    let own = each(&mistakes, |&(i, (name, hint))| {
+        consider(0, name, hint, &|k| evidence.mistaken(i, k))
+    });
+    found.extend(own.into_iter().flatten());
     let Some(readings) = readings else {
         return found;
     };
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
     made.extend(fit::functions(evidence, &right));
-    for one in made {
-        let answers: Answers = one.answers;
-        let answer = |k: usize| answers[k].clone();
-        found.extend(consider(one.rank, &one.name, &one.hint, &answer));
-    }
-    for reading in readings {
+    let made = each(&made, |one| {
+        let answer = |k: usize| one.answers[k].clone();
+        consider(one.rank, &one.name, &one.hint, &answer)
+    });
+    found.extend(made.into_iter().flatten());
+    let read = each(readings, |reading| {
         let answer = |k| misread(evidence, reading, k);
-        found.extend(consider(
-            reading.rank,
-            &reading.name,
-            &reading.hint,
-            &answer,
-        ));
-    }
+        consider(reading.rank, &reading.name, &reading.hint, &answer)
+    });
+    found.extend(read.into_iter().flatten());
     // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
     let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
     if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
-        let by_steps = |slip: Slipped| {
+        let by_steps = each_slip(evidence, &promising(evidence), |slip| {
             let answer = |k: usize| slip.answer_to(evidence, k);
             consider(SLIP, &slip.name, &slip.hint, &answer)
-        };
-        found.extend(promising(evidence).into_iter().filter_map(by_steps));
+        });
+        found.extend(by_steps.into_iter().flatten());
     }
     let most = nearest(&found);
     if by_themselves && most > ALMOST * whole.norm() {
@@ -411,44 +409,43 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
         return Vec::new();
     };
     let count = evidence.examiner.mistakes().len();
-    let alone = |mistake: usize| few.distance(&|k| probe.mistaken(mistake, k));
-    let alone = (0..count).filter_map(|i| Some((i, alone(i)?.norm())));
-    let mut near: Vec<_> = alone.collect();
+    let mistakes: Vec<_> = (0..count).collect();
+    let alone = each(&mistakes, |&i| {
+        Some((i, few.distance(&|k| probe.mistaken(i, k))?.norm()))
+    });
+    let mut near: Vec<_> = alone.into_iter().flatten().collect();
     near.sort_by(|a, b| a.1.total_cmp(&b.1));
     near.truncate(CANDIDATES);
-    let all_of = |mistake: usize| traits.distance(&|k| evidence.mistaken(mistake, k));
-    let near = near.into_iter().map(|(mistake, _)| {
-        let rest = all_of(mistake).map_or(f64::INFINITY, |rest| rest.norm());
-        (mistake, rest)
+    let near = each(&near, |&(mistake, _)| {
+        let rest = traits.distance(&|k| evidence.mistaken(mistake, k));
+        (mistake, rest.map_or(f64::INFINITY, |rest| rest.norm()))
     });
-    let near: Vec<_> = near.collect();
-    let mut found = Vec::new();
-    for &(first, one) in &near {
-        for &(second, other) in near.iter().filter(|(second, _)| *second != first) {
-            let upon = Upon::new(first, second);
-            let rest = few.distance(&|k| upon.answer(&probe, k));
-            let promises = rest.is_some_and(|rest| rest.norm() <= PROMISING * from_right.norm());
-            if !promises || !upon.is_made() {
-                continue;
-            }
-            let most = (TWICE_AS_NEAR * one.min(other)).min(NEAR * whole.norm());
-            let rest = traits.distance(&|k| upon.answer(evidence, k));
-            let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole));
-            let Some(rest) = rest else {
-                continue;
-            };
-            let [(name, hint), then] = upon.told(evidence);
-            found.push(Considered {
-                rest: rest.norm(),
-                left: rest.beyond_chance(),
-                rank: PAIR,
-                name,
-                hint,
-                then: Some(then),
-            });
+    let pairs = near.iter().flat_map(|one| {
+        let others = near.iter().filter(|other| other.0 != one.0);
+        others.map(|other| [*one, *other])
+    });
+    let pairs: Vec<_> = pairs.collect();
+    let found = each(&pairs, |&[(first, one), (second, other)]| {
+        let upon = Upon::new(first, second);
+        let rest = few.distance(&|k| upon.answer(&probe, k));
+        let promises = rest.is_some_and(|rest| rest.norm() <= PROMISING * from_right.norm());
+        if !promises || !upon.is_made() {
+            return None;
         }
-    }
-    found
+        let most = (TWICE_AS_NEAR * one.min(other)).min(NEAR * whole.norm());
+        let rest = traits.distance(&|k| upon.answer(evidence, k));
+        let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole))?;
+        let [(name, hint), then] = upon.told(evidence);
+        Some(Considered {
+            rest: rest.norm(),
+            left: rest.beyond_chance(),
+            rank: PAIR,
+            name,
+            hint,
+            then: Some(then),
+        })
+    });
+    found.into_iter().flatten().collect()
 }
 
 /// The slips that make the first wrong answers likely.
@@ -470,5 +467,8 @@ fn promising(evidence: &Evidence<'_>) -> Vec<Slipped> {
     let mut slips = slipped(&probe);
     slips.retain(|slip| slip.rank <= RAREST);
     slips.sort_by_key(|slip| slip.rank);
-    slips.into_iter().filter(is_promising).collect()
+    let are_promising = each_slip(evidence, &slips, is_promising);
+    let with = slips.into_iter().zip(are_promising);
+    with.filter_map(|(slip, promises)| promises.then_some(slip))
+        .collect()
 }

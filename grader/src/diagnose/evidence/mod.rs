@@ -10,10 +10,10 @@ use crate::attempt::attempt;
 use crate::diagnose::slips::Tried;
 use crate::examine::{Case, Examiner};
 use crate::layout::{Layout, Part, layout, parts};
+use crate::mutex::lock;
 use raybook_workbook::kind::Kind;
-use std::cell::RefCell;
 use std::collections::HashMap;
-use std::rc::Rc;
+use std::sync::{Arc, Mutex};
 
 /// What of the answers is looked at.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -84,8 +84,8 @@ pub struct Evidence<'a> {
     free: bool,
     judged: bool,
     /// What slips answer, which is the same for all parts of an answer.
-    pub slips: Rc<RefCell<Tried>>,
-    mistaken: Rc<RefCell<Mistaken>>,
+    pub slips: Arc<Mutex<Tried>>,
+    mistaken: Arc<Mutex<Mistaken>>,
 }
 
 /// What an answer tells that holds nothing but yes, no, or a small whole number.
@@ -142,8 +142,8 @@ impl<'a> Evidence<'a> {
             unit: Vec::new(),
             free: false,
             judged: false,
-            slips: Rc::default(),
-            mistaken: Rc::default(),
+            slips: Arc::default(),
+            mistaken: Arc::default(),
         };
         evidence.judged = evidence.judge_compares();
         evidence.free = evidence.order_is_free();
@@ -151,6 +151,15 @@ impl<'a> Evidence<'a> {
         evidence.unit = evidence.unit();
         evidence.settle();
         evidence
+    }
+
+    /// The evidence of the same answers and further ones behind them. What is known of mistakes stays known.
+    pub fn and_further(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Self {
+        Self {
+            slips: Arc::clone(&self.slips),
+            mistaken: Arc::clone(&self.mistaken),
+            ..Self::new(self.examiner, cases, answers)
+        }
     }
 
     fn kind(&self) -> &'static Kind {
@@ -246,12 +255,15 @@ impl<'a> Evidence<'a> {
     /// What an own mistake answers to an item's question, of which it is known once it was asked; none if it stops with an error.
     pub fn mistaken(&self, mistake: usize, item: usize) -> Option<Vec<f64>> {
         let item = &self.items[item];
-        let known = &mut *self.mistaken.borrow_mut();
-        let answer = || attempt(|| self.examiner.mistake_answers(mistake, &item.question));
-        known
-            .entry((mistake, item.case))
-            .or_insert_with(|| answer().flatten())
-            .clone()
+        let of = (mistake, item.case);
+        let known = lock(&self.mistaken).get(&of).cloned();
+        known.unwrap_or_else(|| {
+            // Nobody waits while a mistake is made; of two who make the same one, both know it.
+            let answer = attempt(|| self.examiner.mistake_answers(mistake, &item.question));
+            let answer = answer.flatten();
+            lock(&self.mistaken).insert(of, answer.clone());
+            answer
+        })
     }
 
     /// Of two own mistakes, first the one that explains more wrong answers alone, or that shows in more.
@@ -331,8 +343,8 @@ impl<'a> Evidence<'a> {
             unit: self.unit.clone(),
             free: self.free,
             judged: self.judged,
-            slips: Rc::clone(&self.slips),
-            mistaken: Rc::clone(&self.mistaken),
+            slips: Arc::clone(&self.slips),
+            mistaken: Arc::clone(&self.mistaken),
         })
     }
 

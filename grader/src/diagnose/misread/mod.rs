@@ -49,12 +49,12 @@ impl Misreading {
 }
 
 /// A part of the question times a number, for each part that is there once.
-pub fn times(kind: &'static Kind) -> Vec<Box<dyn Fn(f64) -> Misreading>> {
+pub fn times(kind: &'static Kind) -> Vec<Box<dyn Fn(f64) -> Misreading + Sync>> {
     let parts = parts(kind, "question").into_iter().enumerate();
     let is_number = |(_, part): &(usize, Part)| {
         part.list.is_none() && matches!(part.kind, Kind::Number | Kind::Numbers(_))
     };
-    let of_part = |(i, part): (usize, Part)| -> Box<dyn Fn(f64) -> Misreading> {
+    let of_part = |(i, part): (usize, Part)| -> Box<dyn Fn(f64) -> Misreading + Sync> {
         Box::new(move |by| {
             let change: Change = Box::new(move |v| v.iter_mut().for_each(|v| *v *= by));
             let name = format!("takes {by} times {}", part.name);

@@ -7,11 +7,13 @@ mod habits;
 mod operands;
 mod possible;
 
+use super::each::each;
 use super::evidence::Evidence;
 use crate::attempt::attempt;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Walked, Way};
 use crate::explain::{Explainer, find};
+use crate::mutex::lock;
 pub use fitted::fitted;
 pub use possible::RANK;
 use std::collections::HashMap;
@@ -61,20 +63,23 @@ impl Slipped {
     pub fn answer_to(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
         let item = &evidence.items[item];
         let of = (self.way, self.id, item.case);
-        if let Some(known) = evidence.slips.borrow().answers.get(&of) {
+        let tried = lock(&evidence.slips);
+        if let Some(known) = tried.answers.get(&of) {
             return known.clone();
         }
-        if evidence.slips.borrow().steps > STEPS {
+        if tried.is_over {
             return None;
         }
+        drop(tried);
         let (answer, steps) = match self.gone(&item.question) {
             Some((answer, steps)) => (Some(answer), steps),
             // A way without an end is gone as far as it may be.
             None => (None, self.most),
         };
-        let mut tried = evidence.slips.borrow_mut();
-        tried.steps += steps;
-        tried.answers.insert(of, answer.clone());
+        let tried = &mut *lock(&evidence.slips);
+        if tried.answers.insert(of, answer.clone()).is_none() {
+            tried.steps += steps;
+        }
         answer
     }
 
@@ -161,6 +166,32 @@ pub struct Tried {
     answers: HashMap<(usize, u64, usize), Option<Vec<f64>>>,
     /// The number of steps of all the ways that were gone for these.
     pub steps: usize,
+    /// Whether they were found to be too many.
+    is_over: bool,
+}
+
+impl Tried {
+    fn count(&mut self) {
+        self.is_over = self.steps > STEPS;
+    }
+}
+
+/// Slips that are tried before their steps are counted.
+const BLOCK: usize = 64;
+
+/// What a function makes of each slip, in their order, on all cores. Steps are counted between blocks of slips, so that it does not hang
+/// on the order in which these are tried which are the last.
+pub fn each_slip<R: Send>(
+    evidence: &Evidence<'_>,
+    slips: &[Slipped],
+    make: impl Fn(&Slipped) -> R + Sync,
+) -> Vec<R> {
+    let mut made = Vec::new();
+    for block in slips.chunks(BLOCK) {
+        lock(&evidence.slips).count();
+        made.extend(each(block, &make));
+    }
+    made
 }
 
 /// Steps and decisions that are gone with slips in one diagnosis: of a long way only the slips that are most common are tried.

@@ -49,7 +49,7 @@ const ROUNDS: usize = 3;
 
 /// What is suspected, and what is asked to know.
 pub struct Trial<'a> {
-    examiner: &'a dyn Examiner,
+    evidence: Evidence<'a>,
     told: &'a Diagnosis,
     /// What is told is the first of them. None where answers are compared by their traits.
     suspects: Vec<Suspect<'a>>,
@@ -76,34 +76,35 @@ impl<'a> Trial<'a> {
         if told.certain && suspects.iter().all(|suspect| suspect.is_guess) {
             return None;
         }
-        let trial = |suspects, cases| Self {
-            examiner,
-            told,
-            suspects,
-            cases,
-        };
-        match suspects.first() {
+        let (suspects, cases) = match suspects.first() {
             Some(first) if evidence.is_judged() || first.name == told.name => {
                 let cases = telling(&evidence, &suspects, rng);
-                Some(trial(suspects, cases))
+                (suspects, cases)
             }
-            _ if evidence.is_judged() => None,
+            _ if evidence.is_judged() => return None,
             _ => {
                 examiner.mistake_called(&told.name)?;
                 let random = (0..ROUNDS).map(|_| examiner.try_random_cases(rng));
                 let random = random.collect::<Result<Vec<_>, _>>().ok()?;
                 let cases = random.into_iter().flat_map(|one| one.cases).collect();
-                Some(trial(Vec::new(), cases))
+                (Vec::new(), cases)
             }
-        }
+        };
+        Some(Self {
+            evidence,
+            told,
+            suspects,
+            cases,
+        })
     }
 
     /// What is told after it: for certain, if all is as one suspect says, and no right answer denied it before; else none. `cases` and
     /// `answers` are those of before, and behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
+        // Of all answers together it is known best how estimates scatter.
+        let all = self.evidence.and_further(cases, answers);
         if self.suspects.is_empty() {
-            let evidence = Evidence::new(self.examiner, cases, answers);
-            let found = spread::search(&evidence, None)?.diagnosis;
+            let found = spread::search(&all, None)?.diagnosis;
             let is_sure = found.certain && found.name == self.told.name;
             let further = found.explained.checked_sub(self.told.explained)?;
             return is_sure.then(|| Diagnosis {
@@ -112,15 +113,14 @@ impl<'a> Trial<'a> {
             });
         }
         let before = cases.len() - self.cases.len();
-        let evidence = Evidence::new(self.examiner, &self.cases, &answers[before..]);
+        let examiner = self.evidence.examiner;
+        let evidence = Evidence::new(examiner, &self.cases, &answers[before..]);
         if evidence.wrong < ENOUGH {
             return None;
         }
         // Yes and no are those of many guesses.
         let wrong = evidence.items[..evidence.wrong].iter();
         let differ: BTreeSet<&str> = wrong.map(|item| item.text.trim()).collect();
-        // Of all answers together it is known best how estimates scatter.
-        let all = Evidence::new(self.examiner, cases, answers);
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
             let score = evidence.score(1.0, answer);
@@ -161,7 +161,7 @@ impl<'a> Trial<'a> {
         // What was told instead of it may be acquitted.
         let is_left = |name: &str| left.iter().any(|suspect| suspect.name == name);
         let is_acquitted = |also: &&Diagnosis| {
-            let is_suspect = self.examiner.mistake_called(&also.name).is_some();
+            let is_suspect = examiner.mistake_called(&also.name).is_some();
             also.beside == Beside::Instead && is_suspect && !is_left(&also.name)
         };
         let also = first.also.as_ref().filter(|also| !is_acquitted(also));

@@ -1,6 +1,7 @@
 //! Who may have made the wrong answers: what is told of them, and what explains them nearly as well.
 
 use crate::attempt::attempt;
+use crate::diagnose::each::each;
 use crate::diagnose::evidence::{Evidence, Score};
 use crate::diagnose::misread::{Misreading, misreadings};
 use crate::diagnose::pairs::{TOGETHER, of_two};
@@ -45,11 +46,14 @@ impl Suspect<'_> {
 /// ways to misread the question that do.
 pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
-    let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
-        let predict = |k: usize| answer(&evidence.items[k].question);
-        let score = evidence.score(HALF, predict)?;
+    let near = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
+        let score = evidence.score(HALF, answer)?;
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
-        is_near.then(|| Suspect {
+        is_near.then_some(score)
+    };
+    let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
+        let score = near(&|k| answer(&evidence.items[k].question))?;
+        Some(Suspect {
             name: name.to_owned(),
             hint: hint.to_owned(),
             also,
@@ -95,7 +99,19 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
     let is_there = all.iter().any(|one| !one.is_two());
     let others = examiner.mistakes().into_iter().enumerate();
     let others = others.filter(|(_, (name, _))| !is_there || *name != told.name);
-    all.extend(others.filter_map(|(i, words)| suspect(words, false, None, own(examiner, i))));
+    let others: Vec<_> = others.collect();
+    let scores = each(&others, |(i, _)| near(&|k| evidence.mistaken(*i, k)));
+    let others = others.into_iter().zip(scores);
+    all.extend(others.filter_map(|((i, (name, hint)), score)| {
+        Some(Suspect {
+            name: name.to_owned(),
+            hint: hint.to_owned(),
+            also: None,
+            answer: own(examiner, i),
+            is_guess: false,
+            score: score?,
+        })
+    }));
     all
 }
 

@@ -4,6 +4,7 @@ use crate::again::ask_again;
 use crate::ask::{Asker, Reply, Said};
 use crate::converse::{Limits, Program};
 use crate::diagnose::{Diagnosis, diagnose, with_panics};
+use crate::each::each;
 use crate::examine::{Case, Examiner};
 use crate::further::ask_further;
 use crate::pairing::put_right;
@@ -195,9 +196,12 @@ pub fn check(
     Ok(assess(examiner, cases.collect(), replies))
 }
 
-/// Checks several exercises, their cases and their pictures; `done` is called after each.
-///
-/// The program is asked everything in one process, if it allows that.
+/// Exercises for which one more process is worth its start.
+const WORTH_A_PROCESS: usize = 8;
+
+/// Checks several exercises, their cases and their pictures, each with `pixels` of its own; `done` is called after each. Many are asked of
+/// as many processes as there are processors, each of the same exercises every time: what a program keeps from one to the next does not
+/// hang on who is first.
 ///
 /// # Errors
 /// If the program cannot be started.
@@ -205,33 +209,37 @@ pub fn check_all(
     program: &Program,
     exercises: &[(&dyn Examiner, Vec<Case>)],
     limits: Limits,
-    pixels: Pixels,
-    done: &dyn Fn(),
+    pixels: &(dyn Fn(&dyn Examiner) -> Pixels + Sync),
+    depth: Depth,
+    done: &(dyn Fn() + Sync),
 ) -> io::Result<Vec<Report>> {
-    let mut reports = Vec::new();
-    check_each(
-        program,
-        exercises,
-        limits,
-        &|_| pixels,
-        Depth::Check,
-        &mut |report| {
+    let most = rayon::current_num_threads();
+    let processes = (exercises.len() / WORTH_A_PROCESS).clamp(1, most);
+    let first: Vec<_> = (0..processes).collect();
+    let lanes = each(&first, |first| {
+        let own = exercises.iter().skip(*first).step_by(processes);
+        let mut reports = Vec::new();
+        let asked = check_each(program, own, limits, pixels, depth, &mut |report| {
             reports.push(report);
             done();
             true
-        },
-    )?;
-    Ok(reports)
+        });
+        asked.map(|()| reports.into_iter())
+    });
+    let mut lanes = lanes.into_iter().collect::<io::Result<Vec<_>>>()?;
+    let report = |i: usize| lanes[i % processes].next();
+    Ok((0..exercises.len()).filter_map(report).collect())
 }
 
-/// Checks several exercises as [`check_all`] does, each with `pixels` of its own, and gives away each report when it is there. It goes on
-/// as long as it is told to.
+/// Checks these exercises one after the other, and gives away each report when it is there. It goes on as long as it is told to.
+///
+/// The program is asked everything in one process, if it allows that.
 ///
 /// # Errors
 /// If the program cannot be started.
-pub fn check_each(
+pub fn check_each<'e>(
     program: &Program,
-    exercises: &[(&dyn Examiner, Vec<Case>)],
+    exercises: impl IntoIterator<Item = &'e (&'e dyn Examiner, Vec<Case>)>,
     limits: Limits,
     pixels: &dyn Fn(&dyn Examiner) -> Pixels,
     depth: Depth,

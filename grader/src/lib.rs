@@ -17,6 +17,7 @@ pub mod converse;
 pub mod describe;
 pub mod diagnose;
 pub mod dress;
+mod each;
 pub mod examine;
 pub mod explain;
 pub mod feedback;

@@ -5,6 +5,7 @@ use raybook_grader::check::{Mark, Report, State, check_all};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, visible_rng};
 use raybook_grader::picture::ask::Pixels;
+use raybook_grader::rare::Depth;
 use raybook_workbook::row;
 use std::fs;
 use std::time::Duration;
@@ -32,7 +33,14 @@ fn checked_with(more: &str, exercise: &str, script: &str) -> Report {
         sandbox: None,
     };
     let limits = Limits::of(Duration::from_secs(5));
-    let reports = check_all(&program, &[(examiner, cases)], limits, Pixels::None, &|| {});
+    let reports = check_all(
+        &program,
+        &[(examiner, cases)],
+        limits,
+        &|_| Pixels::None,
+        Depth::Check,
+        &|| {},
+    );
     let report = reports
         .expect("the shell can be started")
         .into_iter()

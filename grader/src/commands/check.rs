@@ -13,7 +13,7 @@ use raybook_chapters::kit::say::{complain, say};
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::again::ask_alone;
 use raybook_grader::ask::Asker;
-use raybook_grader::check::{Outcome, Report, State, check_each};
+use raybook_grader::check::{Outcome, Report, State, check_all};
 use raybook_grader::converse::{Limits, Program};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
@@ -120,19 +120,8 @@ impl Check {
         };
         // With a course's key, as a class is graded.
         let depth = key.as_ref().map_or(Depth::Check, |_| Depth::Grade);
-        let mut reports = Vec::new();
-        check_each(
-            &program,
-            &exercises,
-            limits,
-            &pixels,
-            depth,
-            &mut |report| {
-                reports.push(report);
-                bar.inc(1);
-                true
-            },
-        )?;
+        let done = || bar.inc(1);
+        let mut reports = check_all(&program, &exercises, limits, &pixels, depth, &done)?;
         bar.finish_and_clear();
         if self.case.is_none() && key.is_none() {
             find_smallest(&program, limits, &exercises, &mut reports)?;

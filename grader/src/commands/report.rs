@@ -11,6 +11,7 @@ use raybook_grader::check::{self, State, check_all};
 use raybook_grader::examine::{Examiner, visible_rng};
 use raybook_grader::picture::ask::Pixels;
 use raybook_grader::progress::Progress;
+use raybook_grader::rare::Depth;
 use raybook_grader::report::{Page, cost};
 use rayon::prelude::*;
 use std::path::PathBuf;
@@ -44,7 +45,8 @@ impl Report {
         let exercises: Vec<_> = examiners.par_iter().map(cases).collect();
         let bar = ProgressBar::new(examiners.len() as u64);
         let limits = self.asking.limits();
-        let reports = check_all(&program, &exercises, limits, Pixels::All, &|| bar.inc(1))?;
+        let (pixels, done) = (|_: &dyn Examiner| Pixels::All, || bar.inc(1));
+        let reports = check_all(&program, &exercises, limits, &pixels, Depth::Check, &done)?;
         bar.finish_and_clear();
         let mut asker = Asker::new(&program, limits);
         let mut costs = Vec::new();

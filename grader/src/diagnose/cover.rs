@@ -1,10 +1,10 @@
 //! Several mistakes in one function, each of which shows in other cases: who begins makes two at once.
 
-use super::each::each;
 use super::evidence::{Evidence, Score};
 use super::misread::Misreading;
 use super::search::misread;
 use super::{Beside, COMMON, Diagnosis};
+use crate::each::each;
 
 /// Mistakes that are told at once.
 const SEVERAL: usize = 3;

@@ -9,7 +9,6 @@ mod beyond;
 mod branch;
 mod component;
 mod cover;
-mod each;
 pub(crate) mod evidence;
 mod fit;
 pub(crate) mod flaws;

@@ -1,6 +1,5 @@
 //! Explanations by two mistakes, one after the other or beside each other.
 
-use super::each::each;
 use super::evidence::{Evidence, Item, Scope};
 use super::fit::{self, Answers};
 use super::found::Found;
@@ -9,6 +8,7 @@ use super::search::called;
 use super::slips::slipped;
 use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
+use crate::each::each;
 use std::cell::Cell;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.

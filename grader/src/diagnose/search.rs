@@ -1,7 +1,6 @@
 //! Trying all explanations by one mistake.
 
 use super::component;
-use super::each::each;
 use super::evidence::{Evidence, Scope};
 use super::fit::{self, Answers, Explanation};
 use super::found::Found;
@@ -12,6 +11,7 @@ use super::slips::{Slipped, each_slip, fitted, goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
+use crate::each::each;
 use raybook_workbook::exercise::Asked;
 use std::collections::BTreeMap;
 

@@ -1,6 +1,5 @@
 //! Answers of which many are right: a mistake shows in their traits, costs or shares of a distribution, over all cases together.
 
-use super::each::each;
 use super::evidence::{Evidence, Item};
 use super::fit;
 use super::function::COMMON;
@@ -9,6 +8,7 @@ use super::pairs::Upon;
 use super::search::{golden, misread};
 use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
+use crate::each::each;
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;

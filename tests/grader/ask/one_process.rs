@@ -1,13 +1,14 @@
-//! A program that answers is started once, and again only after a misfortune.
+//! A program that answers is started once for each processor at most, and again only after a misfortune.
 
 use crate::ask::answer;
 use crate::ask::counted::{Counted, PATIENT, heard, lists};
 use raybook_grader::ask::{Asker, Said};
 use raybook_grader::cases;
-use raybook_grader::check::check_all;
+use raybook_grader::check::{check_all, check_each};
 use raybook_grader::converse::Program;
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::picture::ask::Pixels;
+use raybook_grader::rare::Depth;
 use rayon::prelude::*;
 use std::fs;
 use std::path::PathBuf;
@@ -26,12 +27,25 @@ fn checked(
     exercises: &[(&'static dyn Examiner, Vec<Case>)],
 ) -> (Vec<raybook_grader::check::Report>, usize) {
     let counted = Counted::new(script);
-    let reports = check_all(&counted.program, exercises, PATIENT, Pixels::Some, &|| {});
-    (reports.expect("the shell can be started"), counted.starts())
+    let (mut reports, pixels) = (Vec::new(), |_: &dyn Examiner| Pixels::Some);
+    let mut each = |report| {
+        reports.push(report);
+        true
+    };
+    check_each(
+        &counted.program,
+        exercises,
+        PATIENT,
+        &pixels,
+        Depth::Check,
+        &mut each,
+    )
+    .expect("the shell can be started");
+    (reports, counted.starts())
 }
 
 #[test]
-fn all_exercises_are_asked_in_one_process() {
+fn exercises_one_after_the_other_are_asked_in_one_process() {
     let all = all_exercises();
     let (reports, starts) = checked("while read q; do echo '= 0'; done", &all);
     assert_eq!(starts, 1, "nothing goes wrong");
@@ -42,6 +56,27 @@ fn all_exercises_are_asked_in_one_process() {
         outcomes.all(|outcome| answered(&outcome.reply.said)),
         "each question is answered"
     );
+}
+
+#[test]
+fn many_exercises_are_asked_side_by_side_and_told_in_their_order() {
+    let all = all_exercises();
+    let counted = Counted::new("while read q; do echo '= 0'; done");
+    let pixels = |_: &dyn Examiner| Pixels::Some;
+    let reports = check_all(
+        &counted.program,
+        &all,
+        PATIENT,
+        &pixels,
+        Depth::Check,
+        &|| {},
+    );
+    let processes = rayon::current_num_threads().min(all.len() / 8);
+    assert_eq!(counted.starts(), processes, "each is started once");
+    let names: Vec<_> = all.iter().map(|(examiner, _)| examiner.name()).collect();
+    let reports = reports.expect("the shell can be started");
+    let told: Vec<_> = reports.iter().map(|report| report.exercise).collect();
+    assert_eq!(told, names);
 }
 
 #[test]

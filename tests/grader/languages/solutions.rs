@@ -11,6 +11,7 @@ use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_grader::hidden::Key;
 use raybook_grader::language::Language;
 use raybook_grader::picture::ask::Pixels;
+use raybook_grader::rare::Depth;
 use raybook_grader::student;
 use raybook_workbook::curriculum::CHAPTERS;
 use std::fs;
@@ -60,7 +61,14 @@ fn has_full_marks(folder: &Path) {
     let program = student::build(folder).expect("it is built");
     let all = cases::all();
     let exercises: Vec<_> = all.into_iter().map(|e| (e, cases_of(e))).collect();
-    let reports = check_all(&program, &exercises, LIMITS, Pixels::Some, &|| ());
+    let reports = check_all(
+        &program,
+        &exercises,
+        LIMITS,
+        &|_| Pixels::Some,
+        Depth::Check,
+        &|| (),
+    );
     let mut right = 0;
     for report in reports.expect("the program runs") {
         assert_eq!(

@@ -7,9 +7,9 @@ mod habits;
 mod operands;
 mod possible;
 
-use super::each::each;
 use super::evidence::Evidence;
 use crate::attempt::attempt;
+use crate::each::each;
 use crate::explain::slip::{Change, Slip};
 use crate::explain::way::{Walked, Way};
 use crate::explain::{Explainer, find};

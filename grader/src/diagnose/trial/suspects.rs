@@ -1,13 +1,13 @@
 //! Who may have made the wrong answers: what is told of them, and what explains them nearly as well.
 
 use crate::attempt::attempt;
-use crate::diagnose::each::each;
 use crate::diagnose::evidence::{Evidence, Score};
 use crate::diagnose::misread::{Misreading, misreadings};
 use crate::diagnose::pairs::{TOGETHER, of_two};
 use crate::diagnose::search::called;
 use crate::diagnose::slips::{Slipped, slipped};
 use crate::diagnose::{Beside, Diagnosis};
+use crate::each::each;
 use crate::examine::Examiner;
 use raybook_workbook::exercise::Asked;
 use std::rc::Rc;

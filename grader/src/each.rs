@@ -1,4 +1,4 @@
-//! The same for each of many guesses, on all cores.
+//! The same for each of many, on all cores.
 
 use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};

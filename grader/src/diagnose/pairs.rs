@@ -1,10 +1,10 @@
 //! Explanations by two mistakes, one after the other or beside each other.
 
-use super::evidence::{Evidence, Item, Scope};
+use super::evidence::{Evidence, Scope, Score};
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
-use super::search::called;
+use super::search::{called, misread};
 use super::slips::slipped;
 use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
@@ -55,50 +55,58 @@ pub fn both(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Fo
     let question = |k: usize| &evidence.items[k].question;
     let lengths = few.map(|k| first.length(question(k)));
     let length = lengths.into_iter().max().unwrap_or_default().max(1);
-    let mut consider = |names: [(&str, &str); 2], rank, answer: Answer<'_>| {
+    let consider = |names: [(&str, &str); 2], rank, answer: Answer<'_>| {
         let answer = |k: usize| answer(k).filter(|answer| !answer.iter().any(|v| v.is_nan()));
         let explains = |k: &usize| answer(*k).is_some_and(|answer| evidence.explains(*k, &answer));
         if !few.iter().all(explains) {
-            return;
+            return None;
         }
         let answers: Answers = (0..evidence.items.len()).map(answer).collect();
-        let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
-            return;
-        };
-        let [(name, hint), then] = names.map(|(name, hint)| (name.to_owned(), hint.to_owned()));
-        let pair = Found {
-            name,
-            hint,
-            then: Some(then),
-            rival: None,
-            rank: 60 + rank,
-            fitted: 0,
-            score,
-            answers,
-            ties: 0,
-        };
+        let score = evidence.score(MOST, |k| answers[k].clone())?;
+        let pair = pair(names, 60 + rank, 0, score, answers);
         // In a few cases another way around a division by 0 decides.
-        if score.contradicted == 0 && pair.is_nearly_complete() {
-            found.push(pair);
-        }
+        (score.contradicted == 0 && pair.is_nearly_complete()).then_some(pair)
     };
     let asked = evidence.examiner.asked().question;
     let common: Vec<_> = readings.iter().filter(|r| r.rank <= COMMON).collect();
     let most = STEPS / (length * common.len().max(1));
-    for slip in slips.iter().take(most) {
-        for reading in &common {
+    let misread = each(&slips[..most.min(slips.len())], |slip| {
+        let with = common.iter().filter_map(|reading| {
             let answer = |k: usize| slip.answer(&reading.read_or_not(asked, question(k)));
             let names = [(&*reading.name, &*reading.hint), (&*slip.name, &*slip.hint)];
-            consider(names, reading.rank + slip.rank, &answer);
-        }
-    }
+            consider(names, reading.rank + slip.rank, &answer)
+        });
+        with.collect::<Vec<_>>()
+    });
+    found.extend(misread.into_iter().flatten());
     slips.truncate((2 * STEPS / length).isqrt());
-    for (i, one) in slips.iter().enumerate() {
-        for other in slips[..i].iter().filter(|other| one.goes_with(other)) {
+    let numbers: Vec<_> = (0..slips.len()).collect();
+    let twice = each(&numbers, |&i| {
+        let one = &slips[i];
+        let others = slips[..i].iter().filter(|other| one.goes_with(other));
+        let with = others.filter_map(|other| {
             let names = [other, one].map(|slip| (&*slip.name, &*slip.hint));
             let answer = |k: usize| one.answer_with(other, question(k));
-            consider(names, one.rank + other.rank, &answer);
-        }
+            consider(names, one.rank + other.rank, &answer)
+        });
+        with.collect::<Vec<_>>()
+    });
+    found.extend(twice.into_iter().flatten());
+}
+
+/// Two mistakes, told by their names and hints.
+fn pair(names: [(&str, &str); 2], rank: u32, fitted: u32, score: Score, answers: Answers) -> Found {
+    let [(name, hint), then] = names.map(|(name, hint)| (name.to_owned(), hint.to_owned()));
+    Found {
+        name,
+        hint,
+        then: Some(then),
+        rival: None,
+        rank,
+        fitted,
+        score,
+        answers,
+        ties: 0,
     }
 }
 
@@ -165,19 +173,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
                 let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
                     continue;
                 };
-                let told = |k: usize| (mistakes[k].0.to_owned(), mistakes[k].1.to_owned());
-                let (name, hint) = told(j);
-                found.push(Found {
-                    name,
-                    hint,
-                    then: Some(told(i)),
-                    rival: None,
-                    rank: OWN,
-                    fitted: 0,
-                    score,
-                    answers,
-                    ties: 0,
-                });
+                found.push(pair([mistakes[j], mistakes[i]], OWN, 0, score, answers));
             }
         }
     }
@@ -264,170 +260,145 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
             .map(|k| upon.answer(evidence, k))
             .collect();
         let score = evidence.score(share, |k| answers[k].clone())?;
-        let [(name, hint), then] = upon.told(evidence);
-        let mut pair = Found {
-            name,
-            hint,
-            then: Some(then),
-            rival: None,
-            rank: UPON,
-            fitted: 0,
-            score,
-            answers,
-            ties: 0,
-        };
+        let told = upon.told(evidence);
+        let names = [0, 1].map(|i| (&*told[i].0, &*told[i].1));
+        let mut pair = pair(names, UPON, 0, score, answers);
         pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
         Some(pair)
     });
     found.extend(made.into_iter().flatten());
 }
 
-/// What is answered to an item's question, in the order in which answers are compared.
-fn in_form(
-    evidence: &Evidence<'_>,
-    item: &Item,
-    answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
-) -> Option<Vec<f64>> {
-    let answer = answer(&item.question)?;
-    Some(evidence.canonical(&item.question, &answer))
+/// The first of two mistakes.
+enum First<'a> {
+    /// One of the exercise's own, by its number.
+    Own(usize),
+    /// A question that was misread.
+    Read(&'a Misreading),
+}
+
+impl<'a> First<'a> {
+    /// The exercise's own mistakes, and the ways to misread its questions of which not too much is needed.
+    fn all(evidence: &Evidence<'_>, readings: &'a [Misreading]) -> Vec<Self> {
+        let own = (0..evidence.examiner.mistakes().len()).map(First::Own);
+        let read = readings.iter().filter(|reading| reading.rank < 17);
+        own.chain(read.map(First::Read)).collect()
+    }
+
+    /// Its name and its hint.
+    fn words<'b>(&'b self, mistakes: &[(&'b str, &'b str)]) -> (&'b str, &'b str) {
+        match self {
+            First::Own(number) => mistakes[*number],
+            First::Read(reading) => (&reading.name, &reading.hint),
+        }
+    }
+
+    fn rank(&self) -> u32 {
+        match self {
+            First::Own(_) => 0,
+            First::Read(reading) => reading.rank,
+        }
+    }
+
+    /// What is answered to each item's question, in the order in which answers are compared.
+    fn answers(&self, evidence: &Evidence<'_>) -> Answers {
+        let answer = |k: usize| match self {
+            First::Own(number) => evidence.mistaken(*number, k),
+            First::Read(reading) => misread(evidence, reading, k),
+        };
+        let in_form = |k: usize| {
+            let question = &evidence.items[k].question;
+            Some(evidence.canonical(question, &answer(k)?))
+        };
+        (0..evidence.items.len()).map(in_form).collect()
+    }
 }
 
 /// Explanations by two mistakes, one after the other: what is made of the answer of another mistake, or of a question misread.
-#[allow(clippy::too_many_lines, clippy::type_complexity)] // two searches over the same first mistakes
 pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Found>) {
-    let examiner = evidence.examiner;
-    let asked = examiner.asked();
     let Some(probe) = evidence.probe(PROBE) else {
         return;
     };
     if probe.wrong < 3 || !probe.tells_much() {
         return;
     }
-    let mistakes = examiner.mistakes();
-    let of_mistake =
-        |i: usize, question: &[f64]| attempt(|| examiner.mistake_answers(i, question))?;
-    let of_reading = |reading: &Misreading, question: &[f64]| {
-        called(asked, &reading.read_or_not(asked.question, question))
-    };
-    let mut firsts: Vec<(
-        String,
-        String,
-        u32,
-        Box<dyn Fn(&[f64]) -> Option<Vec<f64>> + '_>,
-    )> = Vec::new();
-    for (i, (name, hint)) in mistakes.iter().enumerate() {
-        let answer = move |question: &[f64]| of_mistake(i, question);
-        firsts.push(((*name).to_owned(), (*hint).to_owned(), 0, Box::new(answer)));
-    }
-    for reading in readings.iter().filter(|reading| reading.rank < 17) {
-        let answer = move |question: &[f64]| of_reading(reading, question);
-        firsts.push((
-            reading.name.clone(),
-            reading.hint.clone(),
-            reading.rank,
-            Box::new(answer),
-        ));
-    }
-    for (name, hint, rank, answer) in &firsts {
-        let few: Answers = probe
-            .items
-            .iter()
-            .map(|item| in_form(&probe, item, answer))
-            .collect();
+    let mistakes = evidence.examiner.mistakes();
+    let firsts = First::all(evidence, readings);
+    let made = each(&firsts, |first| {
+        let few = first.answers(&probe);
         let changed = few
             .iter()
             .zip(&probe.items)
             .filter(|(few, item)| few.as_deref() != Some(item.golden()))
             .count();
         if 2 * changed < probe.wrong {
-            continue;
+            return Vec::new();
         }
+        let mut found = Vec::new();
         for second in fit::explanations(&probe, &few, false) {
             if probe.score(0.99, |k| second.answers[k].clone()).is_none() {
                 continue;
             }
-            let all: Answers = evidence
-                .items
-                .iter()
-                .map(|item| in_form(evidence, item, answer))
-                .collect();
             // The number that fits is that of all wrong answers.
-            let again = fit::explanations(evidence, &all, false);
+            let again = fit::explanations(evidence, &first.answers(evidence), false);
             for again in again.into_iter().filter(|again| again.name == second.name) {
-                let answers = again.answers;
-                let Some(score) = evidence.score(MOST, |k| answers[k].clone()) else {
+                let Some(score) = evidence.score(MOST, |k| again.answers[k].clone()) else {
                     continue;
                 };
-                found.push(Found {
-                    name: name.clone(),
-                    hint: hint.clone(),
-                    then: Some((again.name, again.hint)),
-                    rival: None,
-                    rank: 40 + rank + again.rank,
-                    fitted: again.fitted,
-                    score,
-                    answers,
-                    ties: 0,
-                });
+                let names = [first.words(&mistakes), (&*again.name, &*again.hint)];
+                let rank = 40 + first.rank() + again.rank;
+                found.push(pair(names, rank, again.fitted, score, again.answers));
             }
         }
-    }
+        found
+    });
+    found.extend(made.into_iter().flatten());
     // Who draws numbers of his own has other answers than any pair.
-    if !evidence.is_judged() {
-        return;
+    if evidence.is_judged() {
+        misread_twice(evidence, &probe, readings, found);
     }
-    let mut twice = |name: (&str, &str),
-                     then: (&str, &str),
-                     rank,
-                     answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
-        if probe
-            .score(0.99, |k| answer(&probe.items[k].question))
-            .is_none()
-        {
-            return;
-        }
-        let answers: Answers = evidence
-            .items
-            .iter()
-            .map(|item| answer(&item.question))
-            .collect();
-        if let Some(score) = evidence.score(MOST, |k| answers[k].clone()) {
-            found.push(Found {
-                name: name.0.to_owned(),
-                hint: name.1.to_owned(),
-                then: Some((then.0.to_owned(), then.1.to_owned())),
-                rival: None,
-                rank,
-                fitted: 0,
-                score,
-                answers,
-                ties: 0,
-            });
-        }
+}
+
+/// Explanations by a question that was misread, and by one of the exercise's own mistakes or another way to misread it.
+fn misread_twice(
+    evidence: &Evidence<'_>,
+    probe: &Evidence<'_>,
+    readings: &[Misreading],
+    found: &mut Vec<Found>,
+) {
+    let examiner = evidence.examiner;
+    let asked = examiner.asked();
+    let mistakes = examiner.mistakes();
+    let consider = |names: [(&str, &str); 2], rank, answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
+        probe.score(0.99, |k| answer(&probe.items[k].question))?;
+        let items = evidence.items.iter();
+        let answers: Answers = items.map(|item| answer(&item.question)).collect();
+        let score = evidence.score(MOST, |k| answers[k].clone())?;
+        Some(pair(names, rank, 0, score, answers))
     };
     let mut common: Vec<_> = readings.iter().collect();
     common.sort_by_key(|reading| reading.rank);
-    for (k, reading) in common.iter().enumerate() {
-        for (i, (name, hint)) in mistakes.iter().enumerate() {
-            let answer =
-                |question: &[f64]| of_mistake(i, &reading.read_or_not(asked.question, question));
-            twice(
-                (name, hint),
-                (&reading.name, &reading.hint),
-                45 + reading.rank,
-                &answer,
-            );
-        }
-        for other in common[..k.min(PAIRS)].iter().filter(|_| k < PAIRS) {
+    let numbers: Vec<_> = (0..common.len()).collect();
+    let twice = each(&numbers, |&k| {
+        let reading = common[k];
+        let words = (&*reading.name, &*reading.hint);
+        let own = mistakes.iter().enumerate().filter_map(|(i, mistake)| {
             let answer = |question: &[f64]| {
-                of_reading(reading, &other.read_or_not(asked.question, question))
+                let read = reading.read_or_not(asked.question, question);
+                attempt(|| examiner.mistake_answers(i, &read))?
             };
-            twice(
-                (&other.name, &other.hint),
-                (&reading.name, &reading.hint),
-                60 + reading.rank + other.rank,
-                &answer,
-            );
-        }
-    }
+            consider([*mistake, words], 45 + reading.rank, &answer)
+        });
+        let others = common[..k.min(PAIRS)].iter().filter(|_| k < PAIRS);
+        let others = others.filter_map(|other| {
+            let answer = |question: &[f64]| {
+                let read = other.read_or_not(asked.question, question);
+                called(asked, &reading.read_or_not(asked.question, &read))
+            };
+            let names = [(&*other.name, &*other.hint), words];
+            consider(names, 60 + reading.rank + other.rank, &answer)
+        });
+        own.chain(others).collect::<Vec<_>>()
+    });
+    found.extend(twice.into_iter().flatten());
 }

@@ -171,13 +171,18 @@ pub struct Tried {
 }
 
 impl Tried {
-    fn count(&mut self) {
+    /// Counts the steps; returns how many are left.
+    fn count(&mut self) -> usize {
         self.is_over = self.steps > STEPS;
+        STEPS.saturating_sub(self.steps)
     }
 }
 
-/// Slips that are tried before their steps are counted.
-const BLOCK: usize = 64;
+/// The fewest and the most slips that are tried before their steps are counted: those that go this share of the steps that are left.
+const BLOCK: (usize, usize) = (32, 512);
+
+/// See there.
+const SHARE: usize = 8;
 
 /// What a function makes of each slip, in their order, on all cores. Steps are counted between blocks of slips, so that it does not hang
 /// on the order in which these are tried which are the last.
@@ -187,9 +192,14 @@ pub fn each_slip<R: Send>(
     make: impl Fn(&Slipped) -> R + Sync,
 ) -> Vec<R> {
     let mut made = Vec::new();
-    for block in slips.chunks(BLOCK) {
-        lock(&evidence.slips).count();
+    let (mut rest, mut size) = (slips, BLOCK.0);
+    while !rest.is_empty() {
+        let left = lock(&evidence.slips).count();
+        let (block, others) = rest.split_at(size.min(rest.len()));
         made.extend(each(block, &make));
+        let gone = left.saturating_sub(lock(&evidence.slips).count());
+        size = (left / (SHARE * gone.div_ceil(size).max(1))).clamp(BLOCK.0, BLOCK.1);
+        rest = others;
     }
     made
 }

@@ -1,7 +1,8 @@
 //! `sphere_hit`: random questions, judge and mistakes.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{basis::Basis, interval::Interval, pcg::Pcg, ray::Ray};
@@ -65,22 +66,26 @@ impl Graded for SphereHit {
         Mistake {
             name: "takes the far root",
             hint: "The ray enters the sphere before it leaves it: which of the two does the eye see?",
-            answer: |q| pick(q, |_, far| Some(far)),
+            answer: |q| hit(q, |how| how.choose = |q, [_, far]| within(q, far)),
         },
         Mistake {
             name: "gives up when the near root does not count",
             hint: "Stand inside the sphere: the near root is behind you, but you still see a wall.",
-            answer: |q| pick(q, |near, _| Some(near)),
+            answer: |q| hit(q, |how| how.choose = |q, [near, _]| within(q, near)),
         },
         Mistake {
             name: "ignores the interval",
             hint: "Is every t you return between min and max?",
-            answer: |q| both(q).map(|t| t.x),
+            answer: |q| hit(q, |how| how.choose = |_, [near, _]| Some(near)),
         },
         Mistake {
             name: "only asks for t > min",
             hint: "Something nearer may already have been hit: what is the interval's max for?",
-            answer: |q| both(q).and_then(|t| [t.x, t.y].into_iter().find(|t| *t > q.within.min)),
+            answer: |q| {
+                hit(q, |how| {
+                    how.choose = |q, roots| roots.into_iter().find(|t| *t > q.within.min);
+                })
+            },
         },
         Mistake {
             name: "takes the sphere to be at the origin",
@@ -101,39 +106,37 @@ impl Graded for SphereHit {
             name: "computes b² − 4ac from far away",
             hint: "From a thousand radii away, |o − c|² and r² differ in size by a million: what is left of r² after the subtraction? Could you move the ray's start closer first?",
             answer: |q| {
-                let (d, from) = (*q.ray.direction, q.ray.origin - q.center);
-                let (b, c) = (
-                    2.0 * from.dot(d),
-                    from.length_squared() - q.radius * q.radius,
-                );
-                let root = (b * b - 4.0 * c).sqrt();
-                [0.5 * (-b - root), 0.5 * (-b + root)]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let (d, from) = (*q.ray.direction, q.ray.origin - q.center);
+                        let c = from.length_squared() - q.radius * q.radius;
+                        solved(2.0 * from.dot(d), c)
+                    };
+                })
             },
         },
         Mistake {
             name: "forgets to divide by 2",
             hint: "Put your t into o + t·d: is that point on the sphere?",
-            answer: |q| {
-                both(q)
-                    .map(|t| 2.0 * t)
-                    .and_then(|t| [t.x, t.y].into_iter().find(|t| q.within.contains(*t)))
-            },
+            answer: |q| hit(q, |how| how.roots = |q| Some(roots(q)?.map(|t| 2.0 * t))),
         },
         Mistake {
             name: "returns the distance of the point nearest to the centre",
             hint: "There the ray is deep inside the sphere: how far before that point is the surface?",
             answer: |q| {
-                both(q)
-                    .map(|t| 0.5 * (t.x + t.y))
-                    .filter(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| within(q, 0.5 * (near + far));
+                })
             },
         },
         Mistake {
             name: "returns the far root unchecked where the near root does not count",
             hint: "The whole sphere may lie before the interval, or behind it: is the far root between min and max then?",
-            answer: |q| both(q).map(|t| if q.within.contains(t.x) { t.x } else { t.y }),
+            answer: |q| {
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| within(q, near).or(Some(far));
+                })
+            },
         },
         Mistake {
             name: "calls every sphere a miss whose centre is behind the origin",
@@ -155,13 +158,12 @@ impl Graded for SphereHit {
             name: "takes the radius less the centre's distance from the ray for half of the chord",
             hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which theorem gives the third side?",
             answer: |q| {
-                let to_center = q.center - q.ray.origin;
-                let foot = to_center.dot(*q.ray.direction);
-                let half = q.radius - (to_center - foot * *q.ray.direction).length();
-                let roots = [foot - half, foot + half].into_iter();
-                roots
-                    .filter(|_| half >= 0.0)
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let half = q.radius - beside(q).length();
+                        (half >= 0.0).then(|| ends(foot(q), half))
+                    };
+                })
             },
         },
         Mistake {
@@ -172,16 +174,22 @@ impl Graded for SphereHit {
         Mistake {
             name: "asks only whether the near root is ahead",
             hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
-            answer: |q| pick(q, |near, far| Some(if near > 0.0 { near } else { far })),
+            answer: |q| {
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| within(q, if near > 0.0 { near } else { far });
+                })
+            },
         },
         Mistake {
             name: "takes the square of half the chord for half the chord",
             hint: "What is the unit of the square of half the chord, and of the number that you subtract this square from?",
             answer: |q| {
-                let (near, far) = both(q)?.into();
-                let (middle, half) = (0.5 * (near + far), 0.25 * (far - near).powi(2));
-                let roots = [middle - half, middle + half];
-                roots.into_iter().find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let [near, far] = roots(q)?;
+                        Some(ends(foot(q), 0.25 * (far - near).powi(2)))
+                    };
+                })
             },
         },
         Mistake {
@@ -193,63 +201,65 @@ impl Graded for SphereHit {
             name: "goes only a quarter of the chord back and forth from its middle",
             hint: "From the middle of the chord, how far is it to its ends?",
             answer: |q| {
-                let t = both(q)?;
-                let (middle, half) = (0.5 * (t.x + t.y), 0.25 * (t.y - t.x));
-                [middle - half, middle + half]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let [near, far] = roots(q)?;
+                        Some(ends(foot(q), 0.25 * (far - near)))
+                    };
+                })
             },
         },
         Mistake {
             name: "takes the centre's distance from the origin for its distance from the ray",
             hint: "Draw the right triangle in the sphere: which of its sides is the radius, and how near does the ray come to the centre?",
             answer: |q| {
-                let to_center = q.center - q.ray.origin;
-                let middle = to_center.dot(*q.ray.direction);
-                let square = q.radius * q.radius - to_center.length_squared();
-                first_end(q, middle, square)
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let distance = q.ray.origin.distance_squared(q.center);
+                        chord(foot(q), q.radius * q.radius - distance)
+                    };
+                })
             },
         },
         Mistake {
             name: "adds the square of the centre's distance from the ray to r² instead of subtracting it",
             hint: "Half of the chord, the radius and the distance of the ray from the centre make a right triangle: which side is the longest?",
             answer: |q| {
-                let way = q.center - q.ray.origin;
-                let foot = way.dot(*q.ray.direction);
-                let beside = way - foot * *q.ray.direction;
-                let half = (q.radius * q.radius + beside.length_squared()).sqrt();
-                [foot - half, foot + half]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let square = q.radius * q.radius + beside(q).length_squared();
+                        chord(foot(q), square)
+                    };
+                })
             },
         },
         Mistake {
             name: "takes d·m for 2 d·m in the equation, and all else as if the 2 were there",
             hint: "Write (m + t·d)² out: how often does d·m occur in it?",
             answer: |q| {
-                let (d, m) = (*q.ray.direction, q.ray.origin - q.center);
-                let (b, c) = (d.dot(m), m.length_squared() - q.radius * q.radius);
-                let root = (b * b - 4.0 * c).sqrt();
-                [0.5 * (-b - root), 0.5 * (-b + root)]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let m = q.ray.origin - q.center;
+                        solved(-foot(q), m.length_squared() - q.radius * q.radius)
+                    };
+                })
             },
         },
         Mistake {
             name: "returns the root that is nearest to the origin, ahead of it or behind",
             hint: "A root behind the origin may be nearer than the one that you see: is it between min and max?",
             answer: |q| {
-                let near = both(q)?.to_array().into_iter();
-                near.filter(|t| *t < q.within.max)
-                    .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+                hit(q, |how| {
+                    how.choose = |q, roots| least(roots.into_iter().filter(|t| *t < q.within.max));
+                })
             },
         },
         Mistake {
             name: "asks only whether the root that is nearest to the origin counts",
             hint: "The root behind the origin may be the nearer of the two: what about the other one then?",
             answer: |q| {
-                pick(q, |near, far| {
-                    Some(if near.abs() <= far.abs() { near } else { far })
+                hit(q, |how| {
+                    how.choose = |q, roots| within(q, least(roots.into_iter())?);
                 })
             },
         },
@@ -262,51 +272,55 @@ impl Graded for SphereHit {
             name: "returns the far root where both count",
             hint: "The ray enters the sphere before it leaves it: which of the two roots do you ask first?",
             answer: |q| {
-                let roots = both(q)?;
-                [roots.y, roots.x]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| within(q, far).or(within(q, near));
+                })
             },
         },
         Mistake {
             name: "takes the far root only where the ray begins inside the sphere",
             hint: "The near root may lie before the interval although the ray begins outside: what about the far root then?",
             answer: |q| {
-                let is_inside = q.ray.origin.distance(q.center) < q.radius;
-                pick(q, |near, far| Some(if is_inside { far } else { near }))
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| {
+                        let is_inside = q.ray.origin.distance(q.center) < q.radius;
+                        within(q, if is_inside { far } else { near })
+                    };
+                })
             },
         },
         Mistake {
             name: "compares the far root with min only, and not with max",
             hint: "The interval may lie inside the sphere as a whole: is the far root before its end?",
             answer: |q| {
-                let roots = both(q)?;
-                if roots.x > q.within.min {
-                    Some(roots.x).filter(|t| *t < q.within.max)
-                } else {
-                    Some(roots.y).filter(|t| *t > q.within.min)
-                }
+                hit(q, |how| {
+                    how.choose = |q, [near, far]| {
+                        if near > q.within.min {
+                            Some(near).filter(|t| *t < q.within.max)
+                        } else {
+                            Some(far).filter(|t| *t > q.within.min)
+                        }
+                    };
+                })
             },
         },
         Mistake {
             name: "returns that of two roots in the interval whose absolute value is the smaller one",
             hint: "The interval may begin behind the origin: which is the smaller of −4 and −2?",
             answer: |q| {
-                let roots = both(q)?.to_array().into_iter();
-                roots
-                    .filter(|t| q.within.contains(*t))
-                    .min_by(|a, b| a.abs().total_cmp(&b.abs()))
+                hit(q, |how| {
+                    how.choose =
+                        |q, roots| least(roots.into_iter().filter(|t| q.within.contains(*t)));
+                })
             },
         },
         Mistake {
             name: "takes the radius for half of the chord",
             hint: "Is the chord of a ray that passes beside the centre as long as that of a ray through it?",
             answer: |q| {
-                let roots = both(q)?;
-                let middle = 0.5 * (roots.x + roots.y);
-                [middle - q.radius, middle + q.radius]
-                    .into_iter()
-                    .find(|t| q.within.contains(*t))
+                hit(q, |how| {
+                    how.roots = |q| roots(q).map(|_| ends(foot(q), q.radius));
+                })
             },
         },
         Mistake {
@@ -321,11 +335,13 @@ impl Graded for SphereHit {
             name: "takes the ray's origin for the middle of the chord where the centre is behind it",
             hint: "Stand inside the sphere with your back to its centre: where is the middle of the chord on the whole line?",
             answer: |q| {
-                let way = q.center - q.ray.origin;
-                let foot = way.dot(*q.ray.direction).max(0.0);
-                let beside = way - foot * *q.ray.direction;
-                let square = q.radius * q.radius - beside.length_squared();
-                first_end(q, foot, square)
+                hit(q, |how| {
+                    how.roots = |q| {
+                        let middle = foot(q).max(0.0);
+                        let beside = q.center - q.ray.at(middle);
+                        chord(middle, q.radius * q.radius - beside.length_squared())
+                    };
+                })
             },
         },
         Mistake {
@@ -349,19 +365,19 @@ impl Graded for SphereHit {
             name: "forgets to square the centre's distance from the ray",
             hint: "Check the units: what do you subtract from a squared length?",
             answer: |q| {
-                let way = q.center - q.ray.origin;
-                let foot = way.dot(*q.ray.direction);
-                let square = q.radius * q.radius - (way - foot * *q.ray.direction).length();
-                first_end(q, foot, square)
+                hit(q, |how| {
+                    how.roots = |q| chord(foot(q), q.radius * q.radius - beside(q).length());
+                })
             },
         },
         Mistake {
             name: "calls a sphere a miss that the ray only grazes",
             hint: "How small must the number under the root be, for there to be no root?",
             answer: |q| {
-                let roots = both(q)?;
-                let half = 0.5 * (roots.y - roots.x);
-                q.right().filter(|_| half * half > 1e-3)
+                hit(q, |how| {
+                    how.roots =
+                        |q| roots(q).filter(|[near, far]| 0.25 * (far - near).powi(2) > 1e-3);
+                })
             },
         },
         Mistake {
@@ -410,22 +426,67 @@ fn foot(q: &SphereHit) -> f32 {
     (q.center - q.ray.origin).dot(*q.ray.direction)
 }
 
+/// From there to the centre.
+fn beside(q: &SphereHit) -> Vec3 {
+    q.center - q.ray.at(foot(q))
+}
+
+/// How a hit is found; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// Where the whole line meets the sphere: the near root, and the far one.
+    roots: fn(&SphereHit) -> Option<[f32; 2]>,
+    /// Which of the two is the hit.
+    choose: fn(&SphereHit, [f32; 2]) -> Option<f32>,
+}
+
+/// As it should be.
+const WELL: How = How {
+    roots,
+    choose: |q, roots| roots.into_iter().find(|t| q.within.contains(*t)),
+};
+
+/// The hit, found rightly but for what is changed.
+fn hit(q: &SphereHit, change: impl FnOnce(&mut How)) -> Option<f32> {
+    let how = changed(WELL, change);
+    (how.choose)(q, (how.roots)(q)?)
+}
+
 /// Both distances at which the whole line meets the sphere.
-fn both(q: &SphereHit) -> Option<Vec2> {
-    let near = SphereHit::misread(q, |q| q.within = sample::LINE)?;
-    Some(vec2(near, 2.0 * foot(q) - near))
-}
-
-/// The root that is picked, if it counts.
-fn pick(q: &SphereHit, choose: impl Fn(f32, f32) -> Option<f32>) -> Option<f32> {
-    both(q)
-        .and_then(|t| choose(t.x, t.y))
-        .filter(|t| q.within.contains(*t))
-}
-
-/// The first of the two ends of a chord that counts: `square` is the square of half of the chord, and at `middle` is its middle.
-fn first_end(q: &SphereHit, middle: f32, square: f32) -> Option<f32> {
+fn roots(q: &SphereHit) -> Option<[f32; 2]> {
+    let (direction, way) = (
+        q.ray.direction.as_dvec3(),
+        q.center.as_dvec3() - q.ray.origin.as_dvec3(),
+    );
+    let middle = way.dot(direction);
+    let beside = way - middle * direction;
+    let square = f64::from(q.radius).powi(2) - beside.length_squared();
     let half = (square >= 0.0).then(|| square.sqrt())?;
-    let mut ends = [middle - half, middle + half].into_iter();
-    ends.find(|t| q.within.contains(*t))
+    Some([(middle - half) as f32, (middle + half) as f32])
+}
+
+/// The roots of t² + bt + c.
+fn solved(b: f32, c: f32) -> Option<[f32; 2]> {
+    let square = b * b - 4.0 * c;
+    chord(-0.5 * b, 0.25 * square)
+}
+
+/// The ends of a chord around its middle; `square` is the square of half of it.
+fn chord(middle: f32, square: f32) -> Option<[f32; 2]> {
+    (square >= 0.0).then(|| ends(middle, square.sqrt()))
+}
+
+/// The same of half a chord.
+fn ends(middle: f32, half: f32) -> [f32; 2] {
+    [middle - half, middle + half]
+}
+
+/// A root, if it counts.
+fn within(q: &SphereHit, t: f32) -> Option<f32> {
+    Some(t).filter(|t| q.within.contains(*t))
+}
+
+/// That of the least absolute value.
+fn least(roots: impl Iterator<Item = f32>) -> Option<f32> {
+    roots.min_by(|a, b| a.abs().total_cmp(&b.abs()))
 }

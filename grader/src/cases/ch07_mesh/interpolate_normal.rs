@@ -1,6 +1,7 @@
 //! `interpolate_normal`: random questions, judge and mistakes.
 
 use super::{nearest_corner, place};
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -32,27 +33,27 @@ impl Graded for InterpolateNormal {
         Mistake {
             name: "forgets to normalise",
             hint: "How long is the mean of two unit vectors at right angles?",
-            answer: |q| mix(q, 1.0 - q.b.x - q.b.y, q.b.x, q.b.y),
+            answer: |q| blended(q, |how| how.normalises = false),
         },
         Mistake {
             name: "gives the weights to the wrong corners",
             hint: "At b1 = b2 = 0, whose normal do you return?",
-            answer: |q| mix(q, q.b.x, q.b.y, 1.0 - q.b.x - q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [b1, b2, 1.0 - b1 - b2]),
         },
         Mistake {
             name: "swaps b1 and b2",
             hint: "At b1 = 1, whose normal do you return?",
-            answer: |q| mix(q, 1.0 - q.b.x - q.b.y, q.b.y, q.b.x).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0 - b1 - b2, b2, b1]),
         },
         Mistake {
             name: "takes the mean of the three normals, wherever the point is",
             hint: "Move the point towards a corner: the normal should turn towards that corner's.",
-            answer: |q| mix(q, 1.0, 1.0, 1.0).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |_| [1.0, 1.0, 1.0]),
         },
         Mistake {
             name: "gives the first corner the weight 1",
             hint: "The three weights add up to 1.",
-            answer: |q| mix(q, 1.0, q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0, b1, b2]),
         },
         Mistake {
             name: "returns the first corner's normal",
@@ -62,7 +63,7 @@ impl Graded for InterpolateNormal {
         Mistake {
             name: "leaves b2 out of the first corner's weight",
             hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
-            answer: |q| mix(q, 1.0 - q.b.x, q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0 - b1, b1, b2]),
         },
         Mistake {
             name: "returns the normal of the nearest corner, the one of the largest weight",
@@ -73,29 +74,37 @@ impl Graded for InterpolateNormal {
             name: "blends the first two normals by b1, and the result with the third by b2",
             hint: "At b1 = b2 = ½ the point lies half way between the second corner and the third: which weights have your three normals there?",
             answer: |q| {
-                let rest = 1.0 - q.b.y;
-                mix(q, rest * (1.0 - q.b.x), rest * q.b.x, q.b.y).normalize_or_zero()
+                blended(q, |how| {
+                    how.weights = |[b1, b2]| {
+                        let rest = 1.0 - b2;
+                        [rest * (1.0 - b1), rest * b1, b2]
+                    };
+                })
             },
         },
         Mistake {
             name: "takes (1 − b1)(1 − b2) for the first corner's weight, as on a square",
             hint: "On the side opposite to the first corner b1 + b2 is 1: which weight should the first corner have there?",
-            answer: |q| mix(q, (1.0 - q.b.x) * (1.0 - q.b.y), q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| {
+                blended(q, |how| {
+                    how.weights = |[b1, b2]| [(1.0 - b1) * (1.0 - b2), b1, b2]
+                })
+            },
         },
         Mistake {
             name: "forgets n0 in n0 + b1·(n1 − n0) + b2·(n2 − n0)",
             hint: "At b1 = b2 = 0, what do you return? From which normal do both ways begin?",
-            answer: |q| mix(q, -q.b.x - q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [-b1 - b2, b1, b2]),
         },
         Mistake {
             name: "goes by b2 from the second normal to the third, not from the first",
             hint: "At b2 = 1, whose normal do you return?",
-            answer: |q| mix(q, 1.0 - q.b.x, q.b.x - q.b.y, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0 - b1, b1 - b2, b2]),
         },
         Mistake {
             name: "leaves b1 out of the first corner's weight",
             hint: "The three weights add up to 1: do yours, where neither b1 nor b2 is 0?",
-            answer: |q| mix(q, 1.0 - q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0 - b2, b1, b2]),
         },
         Mistake {
             name: "turns the second and the third normal to the side of the first",
@@ -129,7 +138,7 @@ impl Graded for InterpolateNormal {
         Mistake {
             name: "takes 1 − b1·b2 for the first corner's weight",
             hint: "The three weights add up to 1: do yours at the second corner?",
-            answer: |q| mix(q, 1.0 - q.b.x * q.b.y, q.b.x, q.b.y).normalize_or_zero(),
+            answer: |q| blended(q, |how| how.weights = |[b1, b2]| [1.0 - b1 * b2, b1, b2]),
         },
         Mistake {
             name: "turns evenly (slerp) from the first normal by b1/(b0 + b1) to the second, and by b2 to the third",
@@ -154,6 +163,29 @@ impl Graded for InterpolateNormal {
     ];
 }
 
-fn mix(q: &InterpolateNormal, w0: f32, w1: f32, w2: f32) -> Vec3 {
-    w0 * *q.n0 + w1 * *q.n1 + w2 * *q.n2
+/// How normals are blended; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// The weights of the three normals, of b1 and b2.
+    weights: fn([f32; 2]) -> [f32; 3],
+    /// Makes the sum a unit vector.
+    normalises: bool,
+}
+
+/// As it should be.
+const WELL: How = How {
+    weights: |[b1, b2]| [1.0 - b1 - b2, b1, b2],
+    normalises: true,
+};
+
+/// The normal, blended rightly but for what is changed.
+fn blended(q: &InterpolateNormal, change: impl FnOnce(&mut How)) -> Vec3 {
+    let how = changed(WELL, change);
+    let [w0, w1, w2] = (how.weights)(q.b.to_array());
+    let sum = w0 * *q.n0 + w1 * *q.n1 + w2 * *q.n2;
+    if how.normalises {
+        sum.normalize_or_zero()
+    } else {
+        sum
+    }
 }

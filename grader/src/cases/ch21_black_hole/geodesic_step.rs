@@ -1,5 +1,6 @@
 //! `geodesic_step`: judged by the bend of the ray, so any method that is good enough is right.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, sample};
 use glam::{DVec3, Vec3};
 use raybook::math::pcg::Pcg;
@@ -32,120 +33,145 @@ impl Graded for GeodesicStep {
         Mistake {
             name: "divides the unit vector by the fifth power",
             hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(6)),
+            answer: |q| stepped(q, |how| how.power = 6),
         },
         Mistake {
             name: "divides by the fourth power",
             hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(4)),
+            answer: |q| stepped(q, |how| how.power = 4),
         },
         Mistake {
             name: "forgets the factor 3/2",
             hint: "A ray at |x| = 3/2, perpendicular to the radius, goes around in a circle: does yours?",
-            answer: |q| pulled(q, |x, v| -h2(x, v) * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.factor = -1.0),
         },
         Mistake {
             name: "pulls twice as strongly, as if 1 were the hole's mass and not its radius",
             hint: "Here the radius is 1, and the mass is half of it. If the velocity turns in two halves of the step, is each of them half a step?",
-            answer: |q| pulled(q, |x, v| -3.0 * h2(x, v) * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.factor = -3.0),
         },
         Mistake {
             name: "takes h for h²",
             hint: "Twice the velocity and half the step give the same ray: do they in your formula?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.h2 = |x, v| x.cross(v).length()),
         },
         Mistake {
             name: "pushes the light away",
             hint: "Does gravity pull or push?",
-            answer: |q| pulled(q, |x, v| 1.5 * h2(x, v) * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.factor = 1.5),
         },
         Mistake {
             name: "takes the dot product for the cross product",
             hint: "A ray that aims at the middle is not bent: what is its h?",
-            answer: |q| pulled(q, |x, v| -1.5 * x.dot(v).powi(2) * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.h2 = |x, v| x.dot(v).powi(2)),
         },
         Mistake {
             name: "takes |x||v| for |x × v|",
             hint: "A ray that aims at the middle is not bent: what is its h?",
             answer: |q| {
-                pulled(q, |x, v| {
-                    -1.5 * x.length_squared() * v.length_squared() * x / x.length().powi(5)
+                stepped(q, |how| {
+                    how.h2 = |x, v| x.length_squared() * v.length_squared()
                 })
             },
         },
         Mistake {
             name: "lets light fall as a stone does, by Newton's law",
             hint: "Is your light pulled less when it goes slower?",
-            answer: |q| pulled(q, |x, _| -0.5 * x / x.length().powi(3)),
+            answer: |q| stepped(q, |how| (how.factor, how.newton) = (0.0, 0.5)),
         },
         Mistake {
             name: "goes straight on for the whole step (Euler's method)",
             hint: "Where the velocity turns during the step, the position must notice it.",
             answer: |q| {
-                let (x, v, step) = parts(q);
-                after(x + step * v, v + step * pull(x, v))
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| [x + step * v, v + step * pull(x, v)];
+                })
             },
         },
         Mistake {
             name: "turns the velocity for half of the step only",
             hint: "In the middle of the step the velocity has turned half of its way: what is missing until the end of the step?",
             answer: |q| {
-                let (x, v, step) = parts(q);
-                let half = v + 0.5 * step * pull(x, v);
-                after(x + step * half, half)
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let half = v + 0.5 * step * pull(x, v);
+                        [x + step * half, half]
+                    };
+                })
             },
         },
         Mistake {
             name: "moves with the velocity after the step",
             hint: "During the step the velocity is neither what it was nor what it will be.",
             answer: |q| {
-                let (x, v, step) = parts(q);
-                let v = v + step * pull(x, v);
-                after(x + step * v, v)
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let v = v + step * pull(x, v);
+                        [x + step * v, v]
+                    };
+                })
             },
         },
         Mistake {
             name: "goes straight on, as if there were no hole",
             hint: "Does your velocity change at all?",
-            answer: |q| {
-                let (x, v, step) = parts(q);
-                after(x + step * v, v)
-            },
+            answer: |q| stepped(q, |how| how.factor = 0.0),
         },
         Mistake {
             name: "gives the four slopes the same weight, and divides by 6",
             hint: "The weights of the slopes must add up to 1: what are they, of the slopes in the middle of the step?",
-            answer: |q| by_slopes(q, pull, [1.0, 1.0, 1.0, 1.0].map(|w| w / 6.0), 1.0),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| by_slopes(x, v, step, pull, [1.0 / 6.0; 4], 1.0);
+                })
+            },
         },
         Mistake {
             name: "leaves the fourth slope out of the sum",
             hint: "The weights of the slopes must add up to 1: is the one at the end of the step among them?",
-            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 0.0].map(|w| w / 6.0), 1.0),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let weights = [1.0, 2.0, 2.0, 0.0].map(|w| w / 6.0);
+                        by_slopes(x, v, step, pull, weights, 1.0)
+                    };
+                })
+            },
         },
         Mistake {
             name: "divides the weighted sum of the slopes by 3 instead of 6",
             hint: "The weights of the slopes must add up to 1: do yours?",
-            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0].map(|w| w / 3.0), 1.0),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        by_slopes(x, v, step, pull, WEIGHTS.map(|w| 2.0 * w), 1.0)
+                    };
+                })
+            },
         },
         Mistake {
             name: "takes the fourth slope in the middle of the step",
             hint: "Two of the four slopes belong to the middle of the step: where does the fourth one belong?",
-            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0].map(|w| w / 6.0), 0.5),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| by_slopes(x, v, step, pull, WEIGHTS, 0.5);
+                })
+            },
         },
         Mistake {
             name: "pulls along the velocity, not towards the hole",
             hint: "To which point does the hole pull, and which of the two vectors points there?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * v / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.along = |_, v| v),
         },
         Mistake {
             name: "divides by the third power",
             hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(3)),
+            answer: |q| stepped(q, |how| how.power = 3),
         },
         Mistake {
             name: "squares h² once more",
             hint: "Do you square the length of x × v, or its square?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).powi(2) * x / x.length().powi(5)),
+            answer: |q| stepped(q, |how| how.h2 = |x, v| h2(x, v).powi(2)),
         },
         Mistake {
             name: "keeps the length of the velocity",
@@ -161,69 +187,82 @@ impl Graded for GeodesicStep {
         Mistake {
             name: "does not divide the weighted sum of the slopes by 6",
             hint: "The weights of the slopes must add up to 1: do yours?",
-            answer: |q| by_slopes(q, pull, [1.0, 2.0, 2.0, 1.0], 1.0),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        by_slopes(x, v, step, pull, WEIGHTS.map(|w| 6.0 * w), 1.0)
+                    };
+                })
+            },
         },
         Mistake {
             name: "turns the velocity for a whole step by the pull at the start, and for a whole step by that at the end",
             hint: "How many steps does the velocity turn in all: is it one?",
             answer: |q| {
-                let (x, v, step) = parts(q);
-                let first = pull(x, v);
-                let end = x + step * v + 0.5 * step * step * first;
-                after(end, v + step * (first + pull(end, v)))
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let first = pull(x, v);
+                        let end = x + step * v + 0.5 * step * step * first;
+                        [end, v + step * (first + pull(end, v))]
+                    };
+                })
             },
         },
         Mistake {
             name: "pulls by Newton's law too, and adds Einstein's term to it",
             hint: "A ray that aims at the middle is not pulled at all: is yours?",
-            answer: |q| {
-                pulled(q, |x, v| {
-                    -1.5 * h2(x, v) * x / x.length().powi(5) - 0.5 * x / x.length().powi(3)
-                })
-            },
+            answer: |q| stepped(q, |how| how.newton = 0.5),
         },
         Mistake {
             name: "takes the z component of x × v for its length",
             hint: "A ray that goes past the hole above it, not beside it: what is z of its x × v?",
-            answer: |q| {
-                pulled(q, |x, v| {
-                    -1.5 * x.cross(v).z.powi(2) * x / x.length().powi(5)
-                })
-            },
+            answer: |q| stepped(q, |how| how.h2 = |x, v| x.cross(v).z.powi(2)),
         },
         Mistake {
             name: "takes |x|²|v|² − x·v for h², without squaring x·v",
             hint: "A ray that aims at the middle is not bent: what is its h²?",
             answer: |q| {
-                pulled(q, |x, v| {
-                    let h2 = x.length_squared() * v.length_squared() - x.dot(v);
-                    -1.5 * h2 * x / x.length().powi(5)
+                stepped(q, |how| {
+                    how.h2 = |x, v| x.length_squared() * v.length_squared() - x.dot(v)
                 })
             },
         },
         Mistake {
             name: "takes |x|² for |x|, and so divides by the tenth power",
             hint: "x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v) * x / x.length().powi(10)),
+            answer: |q| stepped(q, |how| how.power = 10),
         },
         Mistake {
             name: "moves with the velocity before the step, and turns it by the pull after that",
             hint: "Where the velocity turns during the step, the position must notice it.",
             answer: |q| {
-                let (x, v, step) = parts(q);
-                let end = x + step * v;
-                after(end, v + step * pull(end, v))
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let end = x + step * v;
+                        [end, v + step * pull(end, v)]
+                    };
+                })
             },
         },
         Mistake {
             name: "takes h for h², and divides the unit vector by the fifth power",
             hint: "Twice the velocity and half the step give the same ray: do they in your formula? And x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(6)),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.h2 = |x, v| x.cross(v).length();
+                    how.power = 6;
+                })
+            },
         },
         Mistake {
             name: "takes h for h², and divides by the fourth power",
             hint: "Twice the velocity and half the step give the same ray: do they in your formula? And x/|x|⁵ has the length 1/|x|⁴: how long is yours at |x| = 2?",
-            answer: |q| pulled(q, |x, v| -1.5 * h2(x, v).sqrt() * x / x.length().powi(4)),
+            answer: |q| {
+                stepped(q, |how| {
+                    how.h2 = |x, v| x.cross(v).length();
+                    how.power = 4;
+                })
+            },
         },
     ];
 }
@@ -254,43 +293,67 @@ fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: f32) -> Verdi
     ))
 }
 
-fn parts(q: &GeodesicStep) -> (DVec3, DVec3, f64) {
-    (
-        q.position.as_dvec3(),
-        q.velocity.as_dvec3(),
-        f64::from(q.step),
-    )
+/// By which the velocity changes, of a position and a velocity.
+type Pull<'a> = &'a dyn Fn(DVec3, DVec3) -> DVec3;
+
+/// How a step is gone; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// The factor of Einstein's term.
+    factor: f64,
+    /// The square of h, of a position and a velocity.
+    h2: fn(DVec3, DVec3) -> f64,
+    /// The power of |x| by which it is divided.
+    power: i32,
+    /// The vector along which it pulls.
+    along: fn(DVec3, DVec3) -> DVec3,
+    /// The factor of a pull by Newton's law besides.
+    newton: f64,
+    /// The position and the velocity after a step, of those before and its length.
+    step: fn(DVec3, DVec3, f64, Pull<'_>) -> [DVec3; 2],
 }
+
+/// As it should be: a good step (the classical fourth-order one).
+const WELL: How = How {
+    factor: -1.5,
+    h2,
+    power: 5,
+    along: |x, _| x,
+    newton: 0.0,
+    step: |x, v, step, pull| by_slopes(x, v, step, pull, WEIGHTS, 1.0),
+};
+
+/// The weights of its four slopes.
+const WEIGHTS: [f64; 4] = [1.0 / 6.0, 1.0 / 3.0, 1.0 / 3.0, 1.0 / 6.0];
 
 fn h2(x: DVec3, v: DVec3) -> f64 {
     x.cross(v).length_squared()
 }
 
-fn pull(x: DVec3, v: DVec3) -> DVec3 {
-    -1.5 * h2(x, v) * x / x.length().powi(5)
-}
-
-fn after(x: DVec3, v: DVec3) -> GeodesicStepAnswer {
+/// What is after the step, gone rightly but for what is changed.
+fn stepped(q: &GeodesicStep, change: impl FnOnce(&mut How)) -> GeodesicStepAnswer {
+    let how = changed(WELL, change);
+    let pull = |x: DVec3, v: DVec3| {
+        let einstein = how.factor * (how.h2)(x, v) / x.length().powi(how.power);
+        einstein * (how.along)(x, v) - how.newton * x / x.length().powi(3)
+    };
+    let (x, v) = (q.position.as_dvec3(), q.velocity.as_dvec3());
+    let [x, v] = (how.step)(x, v, f64::from(q.step), &pull);
     GeodesicStepAnswer {
         position: x.as_vec3(),
         velocity: v.as_vec3(),
     }
 }
 
-/// A good step (the classical fourth-order one) with another acceleration.
-fn pulled(q: &GeodesicStep, pull: fn(DVec3, DVec3) -> DVec3) -> GeodesicStepAnswer {
-    let weights = [1.0, 2.0, 2.0, 1.0].map(|w| w / 6.0);
-    by_slopes(q, pull, weights, 1.0)
-}
-
 /// A step by four slopes, with these weights; the fourth of them is taken at this share of the step.
 fn by_slopes(
-    q: &GeodesicStep,
-    pull: fn(DVec3, DVec3) -> DVec3,
+    x: DVec3,
+    v: DVec3,
+    step: f64,
+    pull: Pull<'_>,
     weights: [f64; 4],
     fourth: f64,
-) -> GeodesicStepAnswer {
-    let (x, v, step) = parts(q);
+) -> [DVec3; 2] {
     let slope = |p: Photon| Photon {
         x: p.v,
         v: pull(p.x, p.v),
@@ -302,5 +365,5 @@ fn by_slopes(
     let k4 = slope(p + k3 * (fourth * step));
     let [w1, w2, w3, w4] = weights;
     let end = p + (k1 * w1 + k2 * w2 + k3 * w3 + k4 * w4) * step;
-    after(end.x, end.v)
+    [end.x, end.v]
 }

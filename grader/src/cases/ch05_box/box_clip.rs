@@ -97,6 +97,17 @@ impl Graded for BoxClip {
             answer: |q| folded(q, f32::max, f32::max),
         },
         Mistake {
+            name: "keeps the latest of the exits, and has a case of its own for a parallel ray",
+            hint: "Once the ray has left one slab, is it still in the box?",
+            answer: |q| {
+                folded_from(
+                    q,
+                    |entry, near, _| entry.max(near),
+                    |exit, far, _| exit.max(far),
+                )
+            },
+        },
+        Mistake {
             name: "misses a ray that runs in a face: by 0/0, or by < instead of ≤",
             hint: "A ray that runs in a face has o − min = 0 and d = 0: what is 0/0, what does a comparison make of it, and does yours count a ray in the face as inside?",
             answer: |q| {

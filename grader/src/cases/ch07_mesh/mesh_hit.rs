@@ -198,6 +198,11 @@ impl Graded for MeshHit {
             answer: |q| counted_last(q, f32::NEG_INFINITY, |hit| hit.t.abs()),
         },
         Mistake {
+            name: "keeps that of the hits in the interval whose |t| is the least",
+            hint: "The interval may begin behind the origin: which comes first along the ray, −4 or −2?",
+            answer: |q| hits(q).min_by(|a, b| a.t.abs().total_cmp(&b.t.abs())),
+        },
+        Mistake {
             name: "sees the front of each triangle only",
             hint: "Walk around a triangle: it has two sides.",
             answer: |q| facing(q, -1.0),

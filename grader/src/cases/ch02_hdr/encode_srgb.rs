@@ -90,7 +90,7 @@ impl Graded for EncodeSrgb {
             hint: "Which comes first: the power of v, or the product with 1.055?",
             answer: |q| {
                 encoded(q, |how| {
-                    how.curve = |v, exponent| (1.055 * v).powf(exponent) - 0.055
+                    how.curve = |v, exponent| (1.055 * v).powf(exponent) - 0.055;
                 })
             },
         },
@@ -114,7 +114,7 @@ impl Graded for EncodeSrgb {
             hint: "Try v = 1 and v = 0.5 with both curves: in which of them is the power of v alone?",
             answer: |q| {
                 encoded(q, |how| {
-                    how.curve = |v, exponent| ((v + 0.055) / 1.055).powf(exponent)
+                    how.curve = |v, exponent| ((v + 0.055) / 1.055).powf(exponent);
                 })
             },
         },
@@ -210,7 +210,7 @@ impl Graded for EncodeSrgb {
             hint: "What does your language calculate first in v^1/2.4: the power or the quotient?",
             answer: |q| {
                 encoded(q, |how| {
-                    how.curve = |v, exponent| 1.055 * v * exponent - 0.055
+                    how.curve = |v, exponent| 1.055 * v * exponent - 0.055;
                 })
             },
         },
@@ -219,7 +219,7 @@ impl Graded for EncodeSrgb {
             hint: "How far does the exponent go: where do its brackets end?",
             answer: |q| {
                 encoded(q, |how| {
-                    how.curve = |v, exponent| 1.055 * v.powf(exponent - 0.055)
+                    how.curve = |v, exponent| 1.055 * v.powf(exponent - 0.055);
                 })
             },
         },

@@ -89,7 +89,7 @@ impl Graded for Expose {
             hint: "One stop more is twice the light, however bright it is: where does a curve come in?",
             answer: |q| {
                 exposed(q, |how| {
-                    how.apply = |colour, factor| colour.map(|v| 1.0 - (-v * factor).exp())
+                    how.apply = |colour, factor| colour.map(|v| 1.0 - (-v * factor).exp());
                 })
             },
         },
@@ -113,7 +113,7 @@ impl Graded for Expose {
             hint: "Half a stop twice is a whole stop, which is twice the light: by which factor is half a stop?",
             answer: |q| {
                 exposed(q, |how| {
-                    how.factor = |stops| between_whole(stops, stops.floor())
+                    how.factor = |stops| between_whole(stops, stops.floor());
                 })
             },
         },
@@ -122,7 +122,7 @@ impl Graded for Expose {
             hint: "Half a stop twice is a whole stop, which is twice the light: by which factor is half a stop?",
             answer: |q| {
                 exposed(q, |how| {
-                    how.factor = |stops| between_whole(stops, stops.trunc())
+                    how.factor = |stops| between_whole(stops, stops.trunc());
                 })
             },
         },

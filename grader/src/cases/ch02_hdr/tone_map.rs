@@ -73,7 +73,7 @@ impl Graded for ToneMap {
             hint: "0.299, 0.587 and 0.114 are the weights of old television: which weights belong to the primaries of sRGB?",
             answer: |q| {
                 mapped(q, |how| {
-                    how.luminance = |colour| weighted(colour, [0.299, 0.587, 0.114])
+                    how.luminance = |colour| weighted(colour, [0.299, 0.587, 0.114]);
                 })
             },
         },
@@ -112,7 +112,7 @@ impl Graded for ToneMap {
             hint: "0.2627, 0.678 and 0.0593 belong to the primaries of television in ultra-high definition: which weights belong to those of sRGB?",
             answer: |q| {
                 mapped(q, |how| {
-                    how.luminance = |colour| weighted(colour, [0.2627, 0.678, 0.0593])
+                    how.luminance = |colour| weighted(colour, [0.2627, 0.678, 0.0593]);
                 })
             },
         },
@@ -121,7 +121,7 @@ impl Graded for ToneMap {
             hint: "Which looks brighter to the eye: a pure red, or a pure blue?",
             answer: |q| {
                 mapped(q, |how| {
-                    how.luminance = |colour| weighted(colour, [0.0722, 0.7152, 0.2126])
+                    how.luminance = |colour| weighted(colour, [0.0722, 0.7152, 0.2126]);
                 })
             },
         },

@@ -87,7 +87,7 @@ impl Graded for InterpolateNormal {
             hint: "On the side opposite to the first corner b1 + b2 is 1: which weight should the first corner have there?",
             answer: |q| {
                 blended(q, |how| {
-                    how.weights = |[b1, b2]| [(1.0 - b1) * (1.0 - b2), b1, b2]
+                    how.weights = |[b1, b2]| [(1.0 - b1) * (1.0 - b2), b1, b2];
                 })
             },
         },

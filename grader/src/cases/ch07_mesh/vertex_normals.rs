@@ -58,7 +58,7 @@ impl Graded for VertexNormals {
             hint: "Cut a triangle in two, from a vertex to the opposite side: should the normal at this vertex change?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.vector = |corners, _| across(corners).normalize_or_zero()
+                    how.vector = |corners, _| across(corners).normalize_or_zero();
                 })
             },
         },
@@ -159,7 +159,7 @@ impl Graded for VertexNormals {
             hint: "Where does your loop over the triangles end?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.taken = |all| all.split_last().map_or(all, |(_, others)| others)
+                    how.taken = |all| all.split_last().map_or(all, |(_, others)| others);
                 })
             },
         },
@@ -168,7 +168,7 @@ impl Graded for VertexNormals {
             hint: "Where does your loop over the triangles begin?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.taken = |all| all.split_first().map_or(all, |(_, others)| others)
+                    how.taken = |all| all.split_first().map_or(all, |(_, others)| others);
                 })
             },
         },
@@ -259,7 +259,7 @@ impl Graded for VertexNormals {
             hint: "The sum must remember how large the triangles before were: what is left of that once it has the length 1?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.add = |sum, vector, _| (sum + vector).normalize_or_zero()
+                    how.add = |sum, vector, _| (sum + vector).normalize_or_zero();
                 })
             },
         },
@@ -409,7 +409,7 @@ impl Graded for VertexNormals {
             hint: "Of three triangles, which share has the first one in your mean, and which the last?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.add = |so_far, vector, _| 0.5 * (so_far + vector)
+                    how.add = |so_far, vector, _| 0.5 * (so_far + vector);
                 })
             },
         },
@@ -418,7 +418,7 @@ impl Graded for VertexNormals {
             hint: "Of three triangles, which share has the first one in your mean, and which the last? And where does its area come in?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.add = |so_far, vector, _| 0.5 * (so_far + vector.normalize_or_zero())
+                    how.add = |so_far, vector, _| 0.5 * (so_far + vector.normalize_or_zero());
                 })
             },
         },
@@ -456,7 +456,7 @@ impl Graded for VertexNormals {
             answer: |q| {
                 averaged(q, |how| {
                     how.add =
-                        |sum, vector, _| (sum + vector.normalize_or_zero()).normalize_or_zero()
+                        |sum, vector, _| (sum + vector.normalize_or_zero()).normalize_or_zero();
                 })
             },
         },
@@ -465,7 +465,7 @@ impl Graded for VertexNormals {
             hint: "Of three triangles, by how much is the first one divided in all, and by how much the last?",
             answer: |q| {
                 averaged(q, |how| {
-                    how.add = |sum, vector, before| (sum + vector) / (before + 1.0)
+                    how.add = |sum, vector, before| (sum + vector) / (before + 1.0);
                 })
             },
         },

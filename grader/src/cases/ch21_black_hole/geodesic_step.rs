@@ -70,7 +70,7 @@ impl Graded for GeodesicStep {
             hint: "A ray that aims at the middle is not bent: what is its h?",
             answer: |q| {
                 stepped(q, |how| {
-                    how.h2 = |x, v| x.length_squared() * v.length_squared()
+                    how.h2 = |x, v| x.length_squared() * v.length_squared();
                 })
             },
         },
@@ -223,7 +223,7 @@ impl Graded for GeodesicStep {
             hint: "A ray that aims at the middle is not bent: what is its h²?",
             answer: |q| {
                 stepped(q, |how| {
-                    how.h2 = |x, v| x.length_squared() * v.length_squared() - x.dot(v)
+                    how.h2 = |x, v| x.length_squared() * v.length_squared() - x.dot(v);
                 })
             },
         },

@@ -9,7 +9,7 @@ use raybook_grader::diagnose::trial::Trial;
 use raybook_grader::diagnose::{Beside, Diagnosis, diagnose};
 use raybook_grader::examine::{Case, Examiner, visible_rng};
 use raybook_workbook::row;
-use std::f64::consts::PI;
+use std::f64::consts::TAU;
 
 /// What is told of one who answers these cases so, after a trial if it is in doubt. An answer comes with whether it is right.
 pub fn tried(
@@ -133,12 +133,12 @@ fn a_step_that_goes_wrong_beside_a_mistake_is_certain_with_it() {
         let height = normal.dot(light);
         let mirrored = 2.0 * height * normal - light;
         let highlight = mirrored.dot(view).max(0.0).powf(q[18]);
-        let sum = diffuse * height.max(0.0) / PI + specular * highlight;
+        let sum = diffuse * height.max(0.0) / TAU + specular * highlight;
         let DVec3 { x, y, z } = sum * arriving;
         judged(examiner, case, format!("{x} {y} {z}"))
     });
     let after = after.expect("they have names");
-    let step = "goes wrong at the step “diffuse: k_d (L·N)”: takes the value divided by π";
+    let step = "goes wrong at the step “diffuse: k_d (L·N)”: takes the value divided by 2π";
     let [also] = &after.also[..] else {
         panic!("one beside the other: {after:?}");
     };

@@ -26,11 +26,26 @@ const PAIRS: usize = 60;
 /// Steps and decisions that are gone in all, when slips are tried two by two.
 const STEPS: usize = 2_000_000;
 
-/// The rank of two of the exercise's own mistakes of which one is made upon the other …
+/// The rank of a mistake, and of what is made of its answers …
+const AFTER: u32 = 40;
+
+/// … of two of the exercise's own mistakes of which one is made upon the other …
 const UPON: u32 = 42;
 
-/// … and of two that do not meddle with each other. All other pairs are behind them.
+/// … of two that do not meddle with each other …
 pub const OWN: u32 = 44;
+
+/// … of one of the exercise's own mistakes in a question that was misread …
+const MISREAD: u32 = 45;
+
+/// … and of two guesses.
+const GUESSED: u32 = 60;
+
+/// A way to misread a question of this rank is too rare for what is made of its answers.
+const RARE: u32 = 17;
+
+/// The share of the probe that guesses in pairs must give.
+const NEARLY_ALL: f64 = 0.99;
 
 /// What is answered to the question of an item.
 type Answer<'a> = &'a dyn Fn(usize) -> Option<Vec<f64>>;
@@ -63,7 +78,7 @@ pub fn both(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Fo
         }
         let answers: Answers = (0..evidence.items.len()).map(answer).collect();
         let score = evidence.score(MOST, |k| answers[k].clone())?;
-        let pair = pair(names, 60 + rank, 0, score, answers);
+        let pair = pair(names, GUESSED + rank, 0, score, answers);
         // In a few cases another way around a division by 0 decides.
         (score.contradicted == 0 && pair.is_nearly_complete()).then_some(pair)
     };
@@ -162,7 +177,7 @@ pub fn composed(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     for (i, one) in few.iter().enumerate() {
         for (j, other) in few[..i].iter().enumerate() {
             for together in TOGETHER {
-                let promises = probe.score(0.99, |k| made(&probe, one, other, together, k));
+                let promises = probe.score(NEARLY_ALL, |k| made(&probe, one, other, together, k));
                 if promises.is_none() {
                     continue;
                 }
@@ -281,7 +296,7 @@ impl<'a> First<'a> {
     /// The exercise's own mistakes, and the ways to misread its questions of which not too much is needed.
     fn all(evidence: &Evidence<'_>, readings: &'a [Misreading]) -> Vec<Self> {
         let own = (0..evidence.examiner.mistakes().len()).map(First::Own);
-        let read = readings.iter().filter(|reading| reading.rank < 17);
+        let read = readings.iter().filter(|reading| reading.rank < RARE);
         own.chain(read.map(First::Read)).collect()
     }
 
@@ -336,7 +351,10 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
         }
         let mut found = Vec::new();
         for second in fit::explanations(&probe, &few, false) {
-            if probe.score(0.99, |k| second.answers[k].clone()).is_none() {
+            if probe
+                .score(NEARLY_ALL, |k| second.answers[k].clone())
+                .is_none()
+            {
                 continue;
             }
             // The number that fits is that of all wrong answers.
@@ -346,7 +364,7 @@ pub fn pairs(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<F
                     continue;
                 };
                 let names = [first.words(&mistakes), (&*again.name, &*again.hint)];
-                let rank = 40 + first.rank() + again.rank;
+                let rank = AFTER + first.rank() + again.rank;
                 found.push(pair(names, rank, again.fitted, score, again.answers));
             }
         }
@@ -370,7 +388,7 @@ fn misread_twice(
     let asked = examiner.asked();
     let mistakes = examiner.mistakes();
     let consider = |names: [(&str, &str); 2], rank, answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>| {
-        probe.score(0.99, |k| answer(&probe.items[k].question))?;
+        probe.score(NEARLY_ALL, |k| answer(&probe.items[k].question))?;
         let items = evidence.items.iter();
         let answers: Answers = items.map(|item| answer(&item.question)).collect();
         let score = evidence.score(MOST, |k| answers[k].clone())?;
@@ -387,7 +405,7 @@ fn misread_twice(
                 let read = reading.read_or_not(asked.question, question);
                 attempt(|| examiner.mistake_answers(i, &read))?
             };
-            consider([*mistake, words], 45 + reading.rank, &answer)
+            consider([*mistake, words], MISREAD + reading.rank, &answer)
         });
         let others = common[..k.min(PAIRS)].iter().filter(|_| k < PAIRS);
         let others = others.filter_map(|other| {
@@ -396,7 +414,7 @@ fn misread_twice(
                 called(asked, &reading.read_or_not(asked.question, &read))
             };
             let names = [(&*other.name, &*other.hint), words];
-            consider(names, 60 + reading.rank + other.rank, &answer)
+            consider(names, GUESSED + reading.rank + other.rank, &answer)
         });
         own.chain(others).collect::<Vec<_>>()
     });

@@ -67,6 +67,11 @@ impl Graded for CameraRay {
             answer: |q| Self::misread(q, |q| q.film += vec2(0.5, -0.5)),
         },
         Mistake {
+            name: "begins a whole width and height from the plane's middle, not half of them",
+            hint: "How far is it from the middle of the plane to its corner, along each axis?",
+            answer: |q| Self::misread(q, |q| q.film -= vec2(0.5, 0.5)),
+        },
+        Mistake {
             name: "takes the world's axes for the camera's",
             hint: "A camera that looks along +x: in which direction of the world does it look, and where is its right?",
             answer: |q| {

@@ -66,26 +66,22 @@ impl Graded for SphereHit {
         Mistake {
             name: "takes the far root",
             hint: "The ray enters the sphere before it leaves it: which of the two does the eye see?",
-            answer: |q| hit(q, |how| how.choose = |q, [_, far]| within(q, far)),
+            answer: |q| hit(q, |how| how.asked = |_, [_, far]| [far; 2]),
         },
         Mistake {
             name: "gives up when the near root does not count",
             hint: "Stand inside the sphere: the near root is behind you, but you still see a wall.",
-            answer: |q| hit(q, |how| how.choose = |q, [near, _]| within(q, near)),
+            answer: |q| hit(q, |how| how.asked = |_, [near, _]| [near; 2]),
         },
         Mistake {
             name: "ignores the interval",
             hint: "Is every t you return between min and max?",
-            answer: |q| hit(q, |how| how.choose = |_, [near, _]| Some(near)),
+            answer: |q| hit(q, |how| how.counts = |_, _| true),
         },
         Mistake {
             name: "only asks for t > min",
             hint: "Something nearer may already have been hit: what is the interval's max for?",
-            answer: |q| {
-                hit(q, |how| {
-                    how.choose = |q, roots| roots.into_iter().find(|t| *t > q.within.min);
-                })
-            },
+            answer: |q| hit(q, |how| how.counts = |q, t| t > q.within.min),
         },
         Mistake {
             name: "takes the sphere to be at the origin",
@@ -125,7 +121,7 @@ impl Graded for SphereHit {
             hint: "There the ray is deep inside the sphere: how far before that point is the surface?",
             answer: |q| {
                 hit(q, |how| {
-                    how.choose = |q, [near, far]| within(q, 0.5 * (near + far));
+                    how.asked = |_, [near, far]| [0.5 * (near + far); 2]
                 })
             },
         },
@@ -134,7 +130,9 @@ impl Graded for SphereHit {
             hint: "The whole sphere may lie before the interval, or behind it: is the far root between min and max then?",
             answer: |q| {
                 hit(q, |how| {
-                    how.choose = |q, [near, far]| within(q, near).or(Some(far));
+                    how.asked =
+                        |q, [near, far]| [if q.within.contains(near) { near } else { far }; 2];
+                    how.counts = |_, _| true;
                 })
             },
         },
@@ -176,7 +174,7 @@ impl Graded for SphereHit {
             hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
             answer: |q| {
                 hit(q, |how| {
-                    how.choose = |q, [near, far]| within(q, if near > 0.0 { near } else { far });
+                    how.asked = |_, [near, far]| [if near > 0.0 { near } else { far }; 2]
                 })
             },
         },
@@ -250,18 +248,15 @@ impl Graded for SphereHit {
             hint: "A root behind the origin may be nearer than the one that you see: is it between min and max?",
             answer: |q| {
                 hit(q, |how| {
-                    how.choose = |q, roots| least(roots.into_iter().filter(|t| *t < q.within.max));
+                    how.asked = |_, roots| by_size(roots);
+                    how.counts = |q, t| t < q.within.max;
                 })
             },
         },
         Mistake {
             name: "asks only whether the root that is nearest to the origin counts",
             hint: "The root behind the origin may be the nearer of the two: what about the other one then?",
-            answer: |q| {
-                hit(q, |how| {
-                    how.choose = |q, roots| within(q, least(roots.into_iter())?);
-                })
-            },
+            answer: |q| hit(q, |how| how.asked = |_, roots| [by_size(roots)[0]; 2]),
         },
         Mistake {
             name: "returns the distance of the hit from the world's origin",
@@ -271,20 +266,16 @@ impl Graded for SphereHit {
         Mistake {
             name: "returns the far root where both count",
             hint: "The ray enters the sphere before it leaves it: which of the two roots do you ask first?",
-            answer: |q| {
-                hit(q, |how| {
-                    how.choose = |q, [near, far]| within(q, far).or(within(q, near));
-                })
-            },
+            answer: |q| hit(q, |how| how.asked = |_, [near, far]| [far, near]),
         },
         Mistake {
             name: "takes the far root only where the ray begins inside the sphere",
             hint: "The near root may lie before the interval although the ray begins outside: what about the far root then?",
             answer: |q| {
                 hit(q, |how| {
-                    how.choose = |q, [near, far]| {
+                    how.asked = |q, [near, far]| {
                         let is_inside = q.ray.origin.distance(q.center) < q.radius;
-                        within(q, if is_inside { far } else { near })
+                        [if is_inside { far } else { near }; 2]
                     };
                 })
             },
@@ -293,26 +284,18 @@ impl Graded for SphereHit {
             name: "compares the far root with min only, and not with max",
             hint: "The interval may lie inside the sphere as a whole: is the far root before its end?",
             answer: |q| {
-                hit(q, |how| {
-                    how.choose = |q, [near, far]| {
-                        if near > q.within.min {
-                            Some(near).filter(|t| *t < q.within.max)
-                        } else {
-                            Some(far).filter(|t| *t > q.within.min)
-                        }
-                    };
-                })
+                let [near, far] = roots(q)?;
+                if near > q.within.min {
+                    Some(near).filter(|t| *t < q.within.max)
+                } else {
+                    Some(far).filter(|t| *t > q.within.min)
+                }
             },
         },
         Mistake {
             name: "returns that of two roots in the interval whose absolute value is the smaller one",
             hint: "The interval may begin behind the origin: which is the smaller of −4 and −2?",
-            answer: |q| {
-                hit(q, |how| {
-                    how.choose =
-                        |q, roots| least(roots.into_iter().filter(|t| q.within.contains(*t)));
-                })
-            },
+            answer: |q| hit(q, |how| how.asked = |_, roots| by_size(roots)),
         },
         Mistake {
             name: "takes the radius for half of the chord",
@@ -436,20 +419,24 @@ fn beside(q: &SphereHit) -> Vec3 {
 struct How {
     /// Where the whole line meets the sphere: the near root, and the far one.
     roots: fn(&SphereHit) -> Option<[f32; 2]>,
-    /// Which of the two is the hit.
-    choose: fn(&SphereHit, [f32; 2]) -> Option<f32>,
+    /// The roots that are asked whether they count, in their order.
+    asked: fn(&SphereHit, [f32; 2]) -> [f32; 2],
+    /// Whether a root counts.
+    counts: fn(&SphereHit, f32) -> bool,
 }
 
 /// As it should be.
 const WELL: How = How {
     roots,
-    choose: |q, roots| roots.into_iter().find(|t| q.within.contains(*t)),
+    asked: |_, roots| roots,
+    counts: |q, t| q.within.contains(t),
 };
 
 /// The hit, found rightly but for what is changed.
 fn hit(q: &SphereHit, change: impl FnOnce(&mut How)) -> Option<f32> {
     let how = changed(WELL, change);
-    (how.choose)(q, (how.roots)(q)?)
+    let asked = (how.asked)(q, (how.roots)(q)?);
+    asked.into_iter().find(|t| (how.counts)(q, *t))
 }
 
 /// Both distances at which the whole line meets the sphere.
@@ -481,12 +468,11 @@ fn ends(middle: f32, half: f32) -> [f32; 2] {
     [middle - half, middle + half]
 }
 
-/// A root, if it counts.
-fn within(q: &SphereHit, t: f32) -> Option<f32> {
-    Some(t).filter(|t| q.within.contains(*t))
-}
-
-/// That of the least absolute value.
-fn least(roots: impl Iterator<Item = f32>) -> Option<f32> {
-    roots.min_by(|a, b| a.abs().total_cmp(&b.abs()))
+/// The roots by their absolute values, the least first.
+fn by_size([one, other]: [f32; 2]) -> [f32; 2] {
+    if one.abs() <= other.abs() {
+        [one, other]
+    } else {
+        [other, one]
+    }
 }

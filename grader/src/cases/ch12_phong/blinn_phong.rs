@@ -115,6 +115,11 @@ impl Graded for BlinnPhongExercise {
             answer: |q| with_highlight(&q.at, power(q.at.normal.dot(*q.at.view), &q.at)),
         },
         Mistake {
+            name: "divides k_d by π, as in a BRDF",
+            hint: "That belongs to a BRDF, whose light comes from all sides: is there a π in the task's formula?",
+            answer: |q| Self::misread(q, |q| q.at.diffuse = q.at.diffuse / PI),
+        },
+        Mistake {
             name: "exchanges k_d and k_s",
             hint: "Which of the two colours belongs to the matte part, and which to the highlight?",
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.at.diffuse, &mut q.at.specular)),

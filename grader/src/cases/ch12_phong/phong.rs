@@ -9,7 +9,7 @@ use crate::{Graded, Mistake, Picture, Verdict};
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch12_phong::{Highlight, PhongExercise};
-use std::f32::consts::TAU;
+use std::f32::consts::{PI, TAU};
 
 /// (R·V)^α.
 fn highlight(q: &Highlight) -> f32 {
@@ -112,6 +112,11 @@ impl Graded for PhongExercise {
             name: "takes N·V for R·V",
             hint: "Walk around the lamp at the same height: should the highlight follow you?",
             answer: |q| with_highlight(&q.at, power(q.at.normal.dot(*q.at.view), &q.at)),
+        },
+        Mistake {
+            name: "divides k_d by π, as in a BRDF",
+            hint: "That belongs to a BRDF, whose light comes from all sides: is there a π in the task's formula?",
+            answer: |q| Self::misread(q, |q| q.at.diffuse = q.at.diffuse / PI),
         },
         Mistake {
             name: "exchanges k_d and k_s",

@@ -1,5 +1,6 @@
 //! `refract`: random questions, judge and mistakes.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
@@ -37,36 +38,32 @@ impl Graded for Refract {
         Mistake {
             name: "never turns the normal",
             hint: "On which side of the surface does a ray start that leaves the glass? Your formula needs the normal on that side.",
-            answer: |q| snell(q, *q.normal, -q.direction.dot(*q.normal), ratio(q)),
+            answer: |q| bent(q, |how| how.normal = |q| *q.normal),
         },
         Mistake {
             name: "turns the cosine, but not the normal, where the ray leaves",
             hint: "On which side of the surface does a ray start that leaves the glass? What is added along the normal must go to the other side.",
-            answer: |q| snell(q, *q.normal, q.direction.dot(*q.normal).abs(), ratio(q)),
+            answer: |q| {
+                bent(q, |how| {
+                    how.normal = |q| *q.normal;
+                    how.cosine = |q, n| q.direction.dot(n).abs();
+                })
+            },
         },
         Mistake {
             name: "takes the same ratio for entering and leaving",
             hint: "A ray that leaves the glass comes from the inside: which index is then n1?",
-            answer: |q| {
-                let n = facing(q);
-                snell(q, n, -q.direction.dot(n), q.outside / q.inside)
-            },
+            answer: |q| bent(q, |how| how.ratio = |q| q.outside / q.inside),
         },
         Mistake {
             name: "has the ratio of the indices upside down",
             hint: "Into a denser medium a ray bends towards the normal: does yours?",
-            answer: |q| {
-                let n = facing(q);
-                snell(q, n, -q.direction.dot(n), 1.0 / ratio(q))
-            },
+            answer: |q| bent(q, |how| how.ratio = |q| 1.0 / ratio(q)),
         },
         Mistake {
             name: "has the sign of the cosine wrong",
             hint: "The ray runs against the normal: what is the sign of their dot product?",
-            answer: |q| {
-                let n = facing(q);
-                snell(q, n, q.direction.dot(n), ratio(q))
-            },
+            answer: |q| bent(q, |how| how.cosine = |q, n| q.direction.dot(n)),
         },
         Mistake {
             name: "mirrors the ray where it is totally reflected",
@@ -90,16 +87,18 @@ impl Graded for Refract {
             name: "forgets the square root",
             hint: "You have the square of a cosine: how long is your answer at 45°?",
             answer: |q| {
-                let (n, along) = (facing(q), along(q)?);
-                Some(along - (1.0 - along.length_squared()) * n)
+                bent(q, |how| {
+                    how.second = |cos1, eta| Some(square(cos1, eta)).filter(|square| *square > 0.0)
+                })
             },
         },
         Mistake {
             name: "sends the ray to the wrong side",
             hint: "Does your ray go on behind the surface, or come back?",
             answer: |q| {
-                let (n, along) = (facing(q), along(q)?);
-                Some(along + (1.0 - along.length_squared()).sqrt() * n)
+                bent(q, |how| {
+                    how.ray = |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, -cos2)
+                })
             },
         },
         Mistake {
@@ -110,10 +109,7 @@ impl Graded for Refract {
         Mistake {
             name: "takes the incoming ray's cosine for the refracted ray's",
             hint: "Two angles, two cosines: which of them belongs to the ray behind the surface?",
-            answer: |q| {
-                let n = facing(q);
-                Some(along(q)? + q.direction.dot(n) * n)
-            },
+            answer: |q| bent(q, |how| how.second = first_again),
         },
         Mistake {
             name: "takes the angles for their sines in Snell's law",
@@ -127,20 +123,18 @@ impl Graded for Refract {
             name: "takes the root of the absolute value, so that it does not see total reflection",
             hint: "What does it mean if the square of a cosine is negative?",
             answer: |q| {
-                let (n, eta) = (facing(q), ratio(q));
-                let cos1 = -q.direction.dot(n);
-                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).abs().sqrt();
-                Some(eta * *q.direction + (eta * cos1 - cos2) * n)
+                bent(q, |how| {
+                    how.second = |cos1, eta| Some(square(cos1, eta).abs().sqrt())
+                })
             },
         },
         Mistake {
             name: "takes 0 for the root of what is negative, and lets the ray graze the surface where it is totally reflected",
             hint: "What does it mean if the square of a cosine is negative?",
             answer: |q| {
-                let (n, eta) = (facing(q), ratio(q));
-                let cos1 = -q.direction.dot(n);
-                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).max(0.0).sqrt();
-                Some(eta * *q.direction + (eta * cos1 - cos2) * n)
+                bent(q, |how| {
+                    how.second = |cos1, eta| Some(square(cos1, eta).max(0.0).sqrt())
+                })
             },
         },
         Mistake {
@@ -160,16 +154,20 @@ impl Graded for Refract {
             name: "turns round the part of the direction along the surface",
             hint: "Seen from above, does a ray turn back where it enters the glass?",
             answer: |q| {
-                let (n, along) = (facing(q), along(q)?);
-                Some(-along - (1.0 - along.length_squared()).sqrt() * n)
+                bent(q, |how| {
+                    how.ray = |i, n, eta, cos1, cos2| -eta * (i + cos1 * n) - cos2 * n
+                })
             },
         },
         Mistake {
             name: "takes the incoming ray's cosine for the refracted ray's, and normalises",
             hint: "When your ray is brought to length 1, its sine is divided by that length: is it still n₁/n₂ times the sine of the incoming ray?",
             answer: |q| {
-                let n = facing(q);
-                Some((along(q)? + q.direction.dot(n) * n).normalize_or_zero())
+                bent(q, |how| {
+                    how.second = first_again;
+                    how.ray =
+                        |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, cos2).normalize_or_zero();
+                })
             },
         },
         Mistake {
@@ -181,34 +179,43 @@ impl Graded for Refract {
             name: "divides the smaller index by the larger, whichever way the ray goes",
             hint: "Into a denser medium a ray bends towards the normal, and out of it?",
             answer: |q| {
-                let n = facing(q);
-                let eta = q.outside.min(q.inside) / q.outside.max(q.inside);
-                snell(q, n, -q.direction.dot(n), eta)
+                bent(q, |how| {
+                    how.ratio = |q| q.outside.min(q.inside) / q.outside.max(q.inside)
+                })
             },
         },
         Mistake {
             name: "multiplies the cosine, not the sine, by n₁/n₂ to see whether the ray is totally reflected",
             hint: "Snell's law is about the angles' sines: which rays are totally reflected, the steep or the flat ones?",
             answer: |q| {
-                let (n, eta) = (facing(q), ratio(q));
-                let cos1 = -q.direction.dot(n);
-                let cos2 = (1.0 - eta * eta * (1.0 - cos1 * cos1)).max(0.0).sqrt();
-                let refracted = eta * *q.direction + (eta * cos1 - cos2) * n;
-                (eta * cos1 <= 1.0).then(|| refracted.normalize_or_zero())
+                bent(q, |how| {
+                    how.second = |cos1, eta| {
+                        let root = square(cos1, eta).max(0.0).sqrt();
+                        (eta * cos1 <= 1.0).then_some(root)
+                    };
+                    how.ray =
+                        |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, cos2).normalize_or_zero();
+                })
             },
         },
         Mistake {
             name: "takes 1 − sin θ₂ for the cosine, and normalises",
             hint: "sin² + cos² = 1: where are the squares, and the root?",
             answer: |q| {
-                let (n, along) = (facing(q), along(q)?);
-                Some((along - (1.0 - along.length()) * n).normalize_or_zero())
+                bent(q, |how| {
+                    how.second = |cos1, eta| {
+                        let square = square(cos1, eta);
+                        (square > 0.0).then(|| 1.0 - (1.0 - square).sqrt())
+                    };
+                    how.ray =
+                        |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, cos2).normalize_or_zero();
+                })
             },
         },
         Mistake {
             name: "takes the cosine before it turns the normal",
             hint: "A ray leaves the glass: which sign has your cosine, and which has it after the normal is turned?",
-            answer: |q| snell(q, facing(q), -q.direction.dot(*q.normal), ratio(q)),
+            answer: |q| bent(q, |how| how.cosine = |q, _| -q.direction.dot(*q.normal)),
         },
         Mistake {
             name: "asks for total reflection only where the ray leaves",
@@ -268,6 +275,57 @@ fn ratio(q: &Refract) -> f32 {
     }
 }
 
+/// How a ray is bent; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// The normal on the ray's side.
+    normal: fn(&Refract) -> Vec3,
+    /// The cosine of the incoming ray, of the question and this normal.
+    cosine: fn(&Refract, Vec3) -> f32,
+    /// n₁/n₂.
+    ratio: fn(&Refract) -> f32,
+    /// The cosine of the refracted ray, of the first one and the ratio; none where the ray is totally reflected.
+    second: fn(f32, f32) -> Option<f32>,
+    /// The refracted ray, of the direction, the normal, the ratio, and both cosines.
+    ray: fn(Vec3, Vec3, f32, f32, f32) -> Vec3,
+}
+
+/// As it should be.
+const WELL: How = How {
+    normal: facing,
+    cosine: |q, n| -q.direction.dot(n),
+    ratio,
+    second: |cos1, eta| {
+        let square = square(cos1, eta);
+        (square >= 0.0).then(|| square.sqrt())
+    },
+    ray: snell,
+};
+
+/// The refracted ray, rightly but for what is changed.
+fn bent(q: &Refract, change: impl FnOnce(&mut How)) -> Option<Vec3> {
+    let how = changed(WELL, change);
+    let (n, eta) = ((how.normal)(q), (how.ratio)(q));
+    let cos1 = (how.cosine)(q, n);
+    let cos2 = (how.second)(cos1, eta)?;
+    Some((how.ray)(*q.direction, n, eta, cos1, cos2))
+}
+
+/// cos²θ₂ = 1 − η²(1 − cos²θ₁): negative where the ray is totally reflected.
+fn square(cos1: f32, eta: f32) -> f32 {
+    1.0 - eta * eta * (1.0 - cos1 * cos1)
+}
+
+/// η i + (η cos θ₁ − cos θ₂) n.
+fn snell(i: Vec3, n: Vec3, eta: f32, cos1: f32, cos2: f32) -> Vec3 {
+    eta * i + (eta * cos1 - cos2) * n
+}
+
+/// The first cosine once more, unless the ray is totally reflected.
+fn first_again(cos1: f32, eta: f32) -> Option<f32> {
+    (square(cos1, eta) > 0.0).then_some(cos1)
+}
+
 /// The part of the refracted ray along the surface, unless it is totally reflected.
 fn along(q: &Refract) -> Option<Vec3> {
     let n = facing(q);
@@ -297,10 +355,4 @@ fn by_angles_and_ratio(q: &Refract) -> (f32, Vec3) {
 /// Whether an angle is below 90°, and not 90° but for rounding, as that of a ray out of glass of index 1.5 at 60°.
 fn is_surely_below_90_degrees(angle: f32) -> bool {
     angle < FRAC_PI_2 - ROUNDING
-}
-
-/// η i + (η cos θ₁ − √(1 − η²(1 − cos²θ₁))) n.
-fn snell(q: &Refract, n: Vec3, cos1: f32, eta: f32) -> Option<Vec3> {
-    let cos2_squared = 1.0 - eta * eta * (1.0 - cos1 * cos1);
-    (cos2_squared >= 0.0).then(|| eta * *q.direction + (eta * cos1 - cos2_squared.sqrt()) * n)
 }

@@ -1,37 +1,13 @@
 //! `brdf_phong`: the number itself.
 
 use super::colour;
+use crate::upon::changed;
 use crate::{Graded, Mistake, Verdict, judge, sample};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch17_rendering_equation::BrdfPhong;
 use std::f32::consts::{PI, TAU};
-
-/// The matte part plus the highlight times a factor, of which all mistakes are made.
-fn phong(q: &BrdfPhong, cos_alpha: f32, matte: f32, norm: f32) -> Rgb {
-    if q.normal.dot(*q.toward) <= 0.0 || q.normal.dot(*q.view) <= 0.0 {
-        return Rgb::BLACK;
-    }
-    q.diffuse * matte + q.specular * (norm * highlight(q, cos_alpha))
-}
-
-/// cosⁿ α, and 0 where α is above 90°, even if n is 0.
-fn highlight(q: &BrdfPhong, cos_alpha: f32) -> f32 {
-    if cos_alpha > 0.0 {
-        cos_alpha.powf(q.exponent)
-    } else {
-        0.0
-    }
-}
-
-fn cos_alpha(q: &BrdfPhong) -> f32 {
-    2.0 * q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view)
-}
-
-fn norm(q: &BrdfPhong) -> f32 {
-    (q.exponent + 2.0) / TAU
-}
 
 impl Graded for BrdfPhong {
     fn random(rng: &mut Pcg) -> BrdfPhong {
@@ -111,130 +87,121 @@ impl Graded for BrdfPhong {
         Mistake {
             name: "forgets the factor of the highlight",
             hint: "The sharper a highlight, the brighter it must be in its middle to send out the same light.",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 1.0),
+            answer: |q| brdf(q, |how| how.factor = |_| 1.0),
         },
         Mistake {
             name: "takes (n + 1)/2π for the factor",
             hint: "Which integral should be 1: of cosⁿα, or of cosⁿα cos θ?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 1.0) / TAU),
+            answer: |q| brdf(q, |how| how.factor = |q| (q.exponent + 1.0) / TAU),
         },
         Mistake {
             name: "forgets the π under the matte part",
             hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
-            answer: |q| phong(q, cos_alpha(q), 1.0, norm(q)),
+            answer: |q| brdf(q, |how| how.matte = |_| 1.0),
         },
         Mistake {
             name: "looks for the highlight at the light",
             hint: "Where does a mirror show the light: where it is, or on the other side of the normal?",
-            answer: |q| phong(q, q.toward.dot(*q.view), 1.0 / PI, norm(q)),
+            answer: |q| brdf(q, |how| how.cos_alpha = |q| q.toward.dot(*q.view)),
         },
         Mistake {
             name: "mirrors the light into the surface",
             hint: "Try a light straight above: where does your mirror direction point?",
-            answer: |q| phong(q, -cos_alpha(q), 1.0 / PI, norm(q)),
+            answer: |q| brdf(q, |how| how.cos_alpha = |q| -cos_alpha(q)),
         },
         Mistake {
             name: "takes the half vector's N·H for cos α",
             hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
             answer: |q| {
-                let half = Dir3::new_or(*q.toward + *q.view, q.normal);
-                phong(q, half.dot(*q.normal), 1.0 / PI, norm(q))
+                brdf(q, |how| {
+                    how.cos_alpha = |q| Dir3::new_or(*q.toward + *q.view, q.normal).dot(*q.normal)
+                })
             },
         },
         Mistake {
             name: "has a second highlight behind",
             hint: "An even power of a negative number is positive: what is the highlight beyond 90°?",
-            answer: |q| phong(q, cos_alpha(q).abs(), 1.0 / PI, norm(q)),
+            answer: |q| brdf(q, |how| how.cos_alpha = |q| cos_alpha(q).abs()),
         },
         Mistake {
             name: "lights the surface from behind",
             hint: "A lamp hangs under a table: what does its light do to the table's top?",
-            answer: |q| {
-                let highlight = highlight(q, cos_alpha(q));
-                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
-            },
+            answer: |q| brdf(q, |how| how.is_lit = |_, _| true),
         },
         Mistake {
             name: "takes (n + 8)/8π for the factor",
             hint: "That factor belongs to Blinn's half vector: which belongs to Phong's mirrored one?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, (q.exponent + 8.0) / (8.0 * PI)),
+            answer: |q| brdf(q, |how| how.factor = |q| (q.exponent + 8.0) / (8.0 * PI)),
         },
         Mistake {
             name: "forgets the 2 of the mirrored direction",
             hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
             answer: |q| {
-                let cosine =
-                    q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view);
-                phong(q, cosine, 1.0 / PI, norm(q))
+                brdf(q, |how| {
+                    how.cos_alpha =
+                        |q| q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view);
+                })
             },
         },
         Mistake {
             name: "forgets the π under the highlight",
             hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 0.5 * (q.exponent + 2.0)),
+            answer: |q| brdf(q, |how| how.factor = |q| 0.5 * (q.exponent + 2.0)),
         },
         Mistake {
             name: "divides the highlight by the cosine",
             hint: "What happens to your highlight when the light goes down to the horizon?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) / q.normal.dot(*q.toward)),
+            answer: |q| brdf(q, |how| how.times = |q| 1.0 / q.normal.dot(*q.toward)),
         },
         Mistake {
             name: "multiplies the highlight by the cosine",
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) * q.normal.dot(*q.toward)),
+            answer: |q| brdf(q, |how| how.times = |q| q.normal.dot(*q.toward)),
         },
         Mistake {
             name: "takes (n + 2)/π for the factor",
             hint: "Which integral should be 1, and is yours 2?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, 2.0 * norm(q)),
+            answer: |q| brdf(q, |how| how.factor = |q| 2.0 * factor(q)),
         },
         Mistake {
             name: "does not ask whether the viewer is above the surface",
             hint: "The BRDF is 0 if the light is not above the surface: is that all that must be above it?",
-            answer: |q| {
-                if q.normal.dot(*q.toward) <= 0.0 {
-                    return Rgb::BLACK;
-                }
-                let highlight = highlight(q, cos_alpha(q));
-                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
-            },
+            answer: |q| brdf(q, |how| how.is_lit = |light, _| light > 0.0),
         },
         Mistake {
             name: "does not ask whether the light is above the surface",
             hint: "The BRDF is 0 if the viewer is not above the surface: is that all that must be above it?",
-            answer: |q| {
-                if q.normal.dot(*q.view) <= 0.0 {
-                    return Rgb::BLACK;
-                }
-                let highlight = highlight(q, cos_alpha(q));
-                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
-            },
+            answer: |q| brdf(q, |how| how.is_lit = |_, viewer| viewer > 0.0),
         },
         Mistake {
             name: "divides the albedo of the highlight by π too",
             hint: "The factor of the highlight has a π already: is there another one?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, norm(q) / PI),
+            answer: |q| brdf(q, |how| how.times = |_| 1.0 / PI),
         },
         Mistake {
             name: "multiplies the matte part by the cosine",
             hint: "Exchange light and viewer: a BRDF stays the same. To what does the cosine belong?",
-            answer: |q| phong(q, cos_alpha(q), q.normal.dot(*q.toward) / PI, norm(q)),
+            answer: |q| brdf(q, |how| how.matte = |q| q.normal.dot(*q.toward) / PI),
         },
         Mistake {
             name: "divides the highlight by 4 times both cosines, as in a microfacet model",
             hint: "Which models have a factor for the half vector, and is there one in yours?",
             answer: |q| {
-                let cosines = q.normal.dot(*q.toward) * q.normal.dot(*q.view);
-                phong(q, cos_alpha(q), 1.0 / PI, 0.25 * norm(q) / cosines)
+                brdf(q, |how| {
+                    how.times = |q| 0.25 / (q.normal.dot(*q.toward) * q.normal.dot(*q.view))
+                })
             },
         },
         Mistake {
             name: "takes the cosine of n α for the power of the cosine",
             hint: "In cosⁿ α, what does n stand above: the angle, or the cosine?",
             answer: |q| {
-                let angle = cos_alpha(q).clamp(-1.0, 1.0).acos();
-                let cosine = (q.exponent * angle).cos().max(0.0);
-                phong(q, 1.0, 1.0 / PI, norm(q) * cosine)
+                brdf(q, |how| {
+                    how.power = |cosine, n| {
+                        let angle = cosine.clamp(-1.0, 1.0).acos();
+                        (n * angle).cos().max(0.0)
+                    };
+                })
             },
         },
         Mistake {
@@ -265,24 +232,70 @@ impl Graded for BrdfPhong {
         Mistake {
             name: "multiplies the matte part by the factor (n + 2)/2π too, in place of 1/π",
             hint: "Is the matte part sharper where n is larger?",
-            answer: |q| phong(q, cos_alpha(q), norm(q), norm(q)),
+            answer: |q| brdf(q, |how| how.matte = factor),
         },
         Mistake {
             name: "returns 0 only if light and viewer are both below the surface (and for or)",
             hint: "One of the two is below the surface: what does your condition say?",
             answer: |q| {
-                let is_below = |d: &Dir3| q.normal.dot(**d) <= 0.0;
-                if is_below(&q.toward) && is_below(&q.view) {
-                    return Rgb::BLACK;
-                }
-                let highlight = highlight(q, cos_alpha(q));
-                q.diffuse * (1.0 / PI) + q.specular * (norm(q) * highlight)
+                brdf(q, |how| {
+                    how.is_lit = |light, viewer| light > 0.0 || viewer > 0.0
+                })
             },
         },
         Mistake {
             name: "takes n + 2/2π for (n + 2)/2π: forgets the brackets",
             hint: "Calculate the factor for n = 1 by hand: what does your language divide by 2π?",
-            answer: |q| phong(q, cos_alpha(q), 1.0 / PI, q.exponent + 1.0 / PI),
+            answer: |q| brdf(q, |how| how.factor = |q| q.exponent + 1.0 / PI),
         },
     ];
+}
+
+/// How the BRDF is made; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// Whether there is any light, of the cosines of the light and the viewer.
+    is_lit: fn(f32, f32) -> bool,
+    /// What the albedo of the matte part is multiplied by.
+    matte: fn(&BrdfPhong) -> f32,
+    /// The factor of the highlight.
+    factor: fn(&BrdfPhong) -> f32,
+    /// What the highlight is multiplied by besides.
+    times: fn(&BrdfPhong) -> f32,
+    /// The cosine of the angle between the mirrored direction and the other one.
+    cos_alpha: fn(&BrdfPhong) -> f32,
+    /// The power of a cosine and the exponent.
+    power: fn(f32, f32) -> f32,
+}
+
+/// As it should be.
+const WELL: How = How {
+    is_lit: |light, viewer| light > 0.0 && viewer > 0.0,
+    matte: |_| 1.0 / PI,
+    factor,
+    times: |_| 1.0,
+    cos_alpha,
+    power: |cosine, n| {
+        // Above 90° there is no highlight, even if n is 0.
+        if cosine > 0.0 { cosine.powf(n) } else { 0.0 }
+    },
+};
+
+fn factor(q: &BrdfPhong) -> f32 {
+    (q.exponent + 2.0) / TAU
+}
+
+fn cos_alpha(q: &BrdfPhong) -> f32 {
+    2.0 * q.normal.dot(*q.toward) * q.normal.dot(*q.view) - q.toward.dot(*q.view)
+}
+
+/// The BRDF, made rightly but for what is changed.
+fn brdf(q: &BrdfPhong, change: impl FnOnce(&mut How)) -> Rgb {
+    let how = changed(WELL, change);
+    if !(how.is_lit)(q.normal.dot(*q.toward), q.normal.dot(*q.view)) {
+        return Rgb::BLACK;
+    }
+    let power = (how.power)((how.cos_alpha)(q), q.exponent);
+    let highlight = (how.factor)(q) * (how.times)(q) * power;
+    q.diffuse * (how.matte)(q) + q.specular * highlight
 }

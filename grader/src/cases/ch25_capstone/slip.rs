@@ -1,7 +1,8 @@
-//! Ray tracers with a slip in one place: what they are asked.
+//! Ray tracers with a slip in one place, or in two: what they are asked.
 
 use super::tracer::Tracer;
 use crate::Graded;
+use crate::upon::changed;
 use raybook::image::{rgb::Rgb, tone};
 use raybook::scene::description::Form;
 use raybook_workbook::exercises::ch25_capstone::Trace;
@@ -93,21 +94,39 @@ pub enum Slip {
     Gamma,
 }
 
+/// What goes wrong in a ray tracer: nothing, one slip, or two of them.
+#[derive(Clone, Copy)]
+pub struct Slips([Option<Slip>; 2]);
+
+impl Slips {
+    /// Whether this slip is among them.
+    pub fn have(&self, slip: Slip) -> bool {
+        self.0.contains(&Some(slip))
+    }
+
+    /// What the first of them makes of something that it changes.
+    pub fn make<T>(&self, change: impl Fn(Slip) -> Option<T>) -> Option<T> {
+        self.0.into_iter().flatten().find_map(change)
+    }
+}
+
 /// The answer of a ray tracer with this slip.
 pub fn answer(q: &Trace, slip: Slip) -> Rgb {
-    let depth = match slip {
-        Slip::OneSurfaceLess => q.depth.saturating_sub(1),
-        Slip::OneSurfaceMore => q.depth.saturating_add(1),
-        _ => q.depth,
-    };
-    let tracer = Tracer::new(&q.scene, slip);
-    let radiance = tracer.seen(&q.ray, depth);
-    match slip {
-        Slip::Clamped => tone::clamp(radiance),
-        Slip::Encoded => radiance.map(tone::encode_srgb),
-        Slip::Gamma => radiance.map(|v| v.max(0.0).powf(1.0 / 2.2)),
-        _ => radiance,
-    }
+    let slips = changed(Slips([None; 2]), |slips| slips.0 = [Some(slip), slips.0[0]]);
+    let depth = slips.make(|slip| match slip {
+        Slip::OneSurfaceLess => Some(q.depth.saturating_sub(1)),
+        Slip::OneSurfaceMore => Some(q.depth.saturating_add(1)),
+        _ => None,
+    });
+    let tracer = Tracer::new(&q.scene, slips);
+    let radiance = tracer.seen(&q.ray, depth.unwrap_or(q.depth));
+    let shown = slips.make(|slip| match slip {
+        Slip::Clamped => Some(tone::clamp(radiance)),
+        Slip::Encoded => Some(radiance.map(tone::encode_srgb)),
+        Slip::Gamma => Some(radiance.map(|v| v.max(0.0).powf(1.0 / 2.2))),
+        _ => None,
+    });
+    shown.unwrap_or(radiance)
 }
 
 /// The answer in a scene without some of its forms.

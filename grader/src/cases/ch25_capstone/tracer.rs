@@ -1,6 +1,6 @@
 //! A ray tracer that can slip.
 
-use super::slip::Slip;
+use super::slip::{Slip, Slips};
 use glam::{Vec2, vec2};
 use raybook::image::rgb::Rgb;
 use raybook::light::{Light, LightSample, point::PointLight};
@@ -26,7 +26,7 @@ fn wrong_side(at: &Surface, direction: Dir3) -> Ray {
 /// A ray tracer, and what it does wrongly.
 pub struct Tracer<'a> {
     scene: &'a Description,
-    slip: Slip,
+    slips: Slips,
     /// Surfaces that may still go uncounted: between two mirrors, a ray would go on for ever.
     uncounted: Cell<u32>,
     /// What was seen in mirrors and in glass, where each counts by its own share only.
@@ -34,21 +34,23 @@ pub struct Tracer<'a> {
 }
 
 impl<'a> Tracer<'a> {
-    pub fn new(scene: &'a Description, slip: Slip) -> Self {
-        let many = match slip {
-            Slip::RefractionNotCounted | Slip::MirrorsNotCounted => 1000,
-            _ => 0,
+    pub fn new(scene: &'a Description, slips: Slips) -> Self {
+        let uncounted = [Slip::RefractionNotCounted, Slip::MirrorsNotCounted];
+        let many = if uncounted.into_iter().any(|slip| slips.have(slip)) {
+            1000
+        } else {
+            0
         };
         Self {
             scene,
-            slip,
+            slips,
             uncounted: Cell::new(many),
             beyond: Cell::new(Rgb::BLACK),
         }
     }
 
     fn is(&self, slip: Slip) -> bool {
-        self.slip == slip
+        self.slips.have(slip)
     }
 
     /// The radiance along the viewer's ray.
@@ -60,11 +62,12 @@ impl<'a> Tracer<'a> {
     /// The radiance along a ray; `first` for the viewer's.
     fn radiance(&self, ray: &Ray, depth: u32, first: bool) -> Rgb {
         if depth == 0 {
-            return match self.slip {
-                Slip::BackdropAtTheEnd => self.backdrop(ray.direction),
-                Slip::AmbientAtTheEnd => self.scene.ambient,
-                _ => Rgb::BLACK,
-            };
+            let end = self.slips.make(|slip| match slip {
+                Slip::BackdropAtTheEnd => Some(self.backdrop(ray.direction)),
+                Slip::AmbientAtTheEnd => Some(self.scene.ambient),
+                _ => None,
+            });
+            return end.unwrap_or(Rgb::BLACK);
         }
         let Some((object, hit)) = self.nearest(ray) else {
             let hidden = self.is(Slip::NoBackdropInMirrors) && !first;
@@ -100,20 +103,27 @@ impl<'a> Tracer<'a> {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction, hit.t),
             Matter::Mirror(mirror) => {
                 let mirrored = reflect(ray.direction, normal);
-                let seen = match self.slip {
-                    Slip::MirrorsShowTheBackdrop => self.scene.backdrop.seen(mirrored),
-                    _ => see(mirrored),
+                let seen = if self.is(Slip::MirrorsShowTheBackdrop) {
+                    self.backdrop(mirrored)
+                } else {
+                    see(mirrored)
                 };
-                match self.slip {
-                    Slip::MirrorsWithoutColour => seen,
-                    Slip::AmbientOnMirrors => mirror.share * seen + self.scene.ambient,
-                    _ => mirror.share * seen,
+                let seen = if self.is(Slip::MirrorsWithoutColour) {
+                    seen
+                } else {
+                    mirror.share * seen
+                };
+                if self.is(Slip::AmbientOnMirrors) {
+                    seen + self.scene.ambient
+                } else {
+                    seen
                 }
             }
             Matter::Glass(clear) => 'glass: {
-                let index = match self.slip {
-                    Slip::AlwaysCrownGlass => 1.5,
-                    _ => clear.index,
+                let index = if self.is(Slip::AlwaysCrownGlass) {
+                    1.5
+                } else {
+                    clear.index
                 };
                 let entering = self.is(Slip::AlwaysEntering) || at.normal.dot(*ray.direction) < 0.0;
                 let (here, there) = if entering == self.is(Slip::IndexTurned) {
@@ -164,14 +174,15 @@ impl<'a> Tracer<'a> {
         let Backdrop { below, above } = self.scene.backdrop;
         let by_height = |height: f32| below * (1.0 - height) + above * height;
         let angle = direction.y.clamp(-1.0, 1.0).asin();
-        match self.slip {
-            Slip::HeightForShare => by_height(direction.y),
-            Slip::HeightAboveTheHorizon => by_height(direction.y.max(0.0)),
-            Slip::HeightWithoutSign => by_height(direction.y.abs()),
-            Slip::AngleForHeight => by_height(0.5 + angle / PI),
-            Slip::AngleAboveTheHorizon => by_height((angle / FRAC_PI_2).max(0.0)),
-            _ => self.scene.backdrop.seen(direction),
-        }
+        let height = self.slips.make(|slip| match slip {
+            Slip::HeightForShare => Some(direction.y),
+            Slip::HeightAboveTheHorizon => Some(direction.y.max(0.0)),
+            Slip::HeightWithoutSign => Some(direction.y.abs()),
+            Slip::AngleForHeight => Some(0.5 + angle / PI),
+            Slip::AngleAboveTheHorizon => Some((angle / FRAC_PI_2).max(0.0)),
+            _ => None,
+        });
+        height.map_or_else(|| self.scene.backdrop.seen(direction), by_height)
     }
 
     /// How many surfaces a new ray may meet: one less, unless the slip is not to count this one.
@@ -194,38 +205,42 @@ impl<'a> Tracer<'a> {
             (!culled).then_some((object, hit))
         });
         let by_distance = |(_, a): &(_, Hit), (_, b): &(_, Hit)| a.t.total_cmp(&b.t);
-        match self.slip {
-            Slip::FirstForNearest => hits.next(),
-            Slip::FarthestForNearest => hits.max_by(by_distance),
-            _ => hits.min_by(by_distance),
+        if self.is(Slip::FirstForNearest) {
+            hits.next()
+        } else if self.is(Slip::FarthestForNearest) {
+            hits.max_by(by_distance)
+        } else {
+            hits.min_by(by_distance)
         }
     }
 
     /// What the radiance behind a surface is multiplied by, at this ratio of the indices before it and behind it.
     fn squeezed(&self, ratio: f32) -> f32 {
-        match self.slip {
-            Slip::RefractedSqueezed => ratio * ratio,
-            Slip::RefractedSpread => 1.0 / (ratio * ratio),
-            _ => 1.0,
-        }
+        let factor = self.slips.make(|slip| match slip {
+            Slip::RefractedSqueezed => Some(ratio * ratio),
+            Slip::RefractedSpread => Some(1.0 / (ratio * ratio)),
+            _ => None,
+        });
+        factor.unwrap_or(1.0)
     }
 
     /// The share of the light that glass of an index mirrors, where the light comes at the angle of this cosine through `here`.
     fn mirrored_share(&self, cosine: f32, index: f32, here: f32, there: f32) -> f32 {
-        match self.slip {
-            Slip::AllRefracted => 0.0,
-            Slip::AllRefractedFromInside if here == index => 0.0,
-            Slip::SharesExchanged => 1.0 - fresnel(cosine, here, there).unpolarised,
-            Slip::FresnelFromOutside => fresnel(cosine, 1.0, index).unpolarised,
-            Slip::FresnelTurned => fresnel(cosine, there, here).unpolarised,
-            Slip::FresnelBackwards => fresnel(-cosine, here, there).unpolarised,
-            Slip::HalfMirrored => 0.5,
-            Slip::FourPercentMirrored => 0.04,
-            Slip::MirroredAsFromStraightAbove => fresnel(1.0, here, there).unpolarised,
-            Slip::OnePolarisation => fresnel(cosine, here, there).s,
-            Slip::Schlick => schlick(cosine, here, there),
-            _ => fresnel(cosine, here, there).unpolarised,
-        }
+        let share = self.slips.make(|slip| match slip {
+            Slip::AllRefracted => Some(0.0),
+            Slip::AllRefractedFromInside if here == index => Some(0.0),
+            Slip::SharesExchanged => Some(1.0 - fresnel(cosine, here, there).unpolarised),
+            Slip::FresnelFromOutside => Some(fresnel(cosine, 1.0, index).unpolarised),
+            Slip::FresnelTurned => Some(fresnel(cosine, there, here).unpolarised),
+            Slip::FresnelBackwards => Some(fresnel(-cosine, here, there).unpolarised),
+            Slip::HalfMirrored => Some(0.5),
+            Slip::FourPercentMirrored => Some(0.04),
+            Slip::MirroredAsFromStraightAbove => Some(fresnel(1.0, here, there).unpolarised),
+            Slip::OnePolarisation => Some(fresnel(cosine, here, there).s),
+            Slip::Schlick => Some(schlick(cosine, here, there)),
+            _ => None,
+        });
+        share.unwrap_or_else(|| fresnel(cosine, here, there).unpolarised)
     }
 
     fn hit(&self, object: &Object, ray: &Ray, within: Interval) -> Option<Hit> {
@@ -244,11 +259,8 @@ impl<'a> Tracer<'a> {
 
     /// Whether rays to the viewer's side of a surface start on its other side.
     fn is_on_the_wrong_side(&self, at: &Surface, view: Dir3) -> bool {
-        match self.slip {
-            Slip::FromTheSideAwayFromTheViewer => true,
-            Slip::AlwaysFromOutside => at.normal.dot(*view) < 0.0,
-            _ => false,
-        }
+        self.is(Slip::FromTheSideAwayFromTheViewer)
+            || self.is(Slip::AlwaysFromOutside) && at.normal.dot(*view) < 0.0
     }
 
     /// The ray that leaves a surface.
@@ -283,15 +295,22 @@ impl<'a> Tracer<'a> {
             if self.is(Slip::NearestLamp) && lamps.iter().any(is_nearer) {
                 return None;
             }
-            light.arriving = match self.slip {
-                Slip::NoFalloff => lamp.intensity,
-                Slip::FalloffByDistance => lamp.intensity / distance,
-                Slip::FalloffByCube => lamp.intensity / distance.powi(3),
-                Slip::FalloffUpToTheViewer => lamp.intensity / (distance + away).powi(2),
-                Slip::LampIsAPower => light.arriving / (4.0 * PI),
-                Slip::LampsTwiceAsBright => light.arriving * 2.0,
-                _ => light.arriving,
-            };
+            let divisor = self.slips.make(|slip| match slip {
+                Slip::NoFalloff => Some(1.0),
+                Slip::FalloffByDistance => Some(distance),
+                Slip::FalloffByCube => Some(distance.powi(3)),
+                Slip::FalloffUpToTheViewer => Some((distance + away).powi(2)),
+                _ => None,
+            });
+            if let Some(divisor) = divisor {
+                light.arriving = lamp.intensity / divisor;
+            }
+            let factor = self.slips.make(|slip| match slip {
+                Slip::LampIsAPower => Some(1.0 / (4.0 * PI)),
+                Slip::LampsTwiceAsBright => Some(2.0),
+                _ => None,
+            });
+            light.arriving = light.arriving * factor.unwrap_or(1.0);
             if self.is(Slip::PositionForDirection) {
                 light.toward = Dir3::new_or(lamp.position, light.toward);
             }
@@ -307,15 +326,15 @@ impl<'a> Tracer<'a> {
         if self.is(Slip::LampsAveraged) && !lamps.is_empty() {
             lit = lit / lamps.len() as f32;
         }
-        let times = match self.slip {
-            Slip::NoAmbient => 0.0,
-            Slip::AmbientForEachLamp => lamps.len() as f32,
-            _ => 1.0,
-        };
+        let times = self.slips.make(|slip| match slip {
+            Slip::NoAmbient => Some(0.0),
+            Slip::AmbientForEachLamp => Some(lamps.len() as f32),
+            _ => None,
+        });
         if is_shadowed {
             return Rgb::BLACK;
         }
-        phong.ambient * self.scene.ambient * times + lit
+        phong.ambient * self.scene.ambient * times.unwrap_or(1.0) + lit
     }
 
     /// Whether a lamp's light arrives.
@@ -330,15 +349,16 @@ impl<'a> Tracer<'a> {
             self.leave(at, light.toward)
         };
         let blocks = |object: &&Object| {
-            let clear = match self.slip {
-                Slip::LightThroughGlass => matches!(object.matter, Matter::Glass(_)),
-                Slip::LightThroughMirrors => matches!(object.matter, Matter::Mirror(_)),
-                Slip::LightThroughSpheres => matches!(object.form, Form::Sphere(_)),
-                Slip::LightThroughPlanes => matches!(object.form, Form::Plane(_)),
-                Slip::LightThroughTriangles => matches!(object.form, Form::Triangle(_)),
-                _ => false,
+            let is_clear = match object.matter {
+                Matter::Glass(_) => self.is(Slip::LightThroughGlass),
+                Matter::Mirror(_) => self.is(Slip::LightThroughMirrors),
+                Matter::Phong(_) => false,
+            } || match object.form {
+                Form::Sphere(_) => self.is(Slip::LightThroughSpheres),
+                Form::Plane(_) => self.is(Slip::LightThroughPlanes),
+                Form::Triangle(_) => self.is(Slip::LightThroughTriangles),
             };
-            !clear && self.hit(object, &ray, way).is_some()
+            !is_clear && self.hit(object, &ray, way).is_some()
         };
         self.is(Slip::NoShadows) || self.scene.objects.iter().find(blocks).is_none()
     }
@@ -352,7 +372,7 @@ impl<'a> Tracer<'a> {
         light: &LightSample,
         arrives: bool,
     ) -> Rgb {
-        let normal = if matches!(self.slip, Slip::NormalNotTurned | Slip::NormalNeverTurned) {
+        let normal = if self.is(Slip::NormalNotTurned) || self.is(Slip::NormalNeverTurned) {
             at.normal
         } else {
             at.facing(view)
@@ -362,23 +382,27 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         }
         let half = Dir3::new_or(*light.toward + *view, normal);
-        let highlight = match self.slip {
-            Slip::ViewTurned => reflect(light.toward, normal).dot(*view),
-            Slip::HalfVector => half.dot(*normal),
-            Slip::LightForMirrored => light.toward.dot(*view),
-            _ => reflect(-light.toward, normal).dot(*view),
-        };
+        let highlight = self.slips.make(|slip| match slip {
+            Slip::ViewTurned => Some(reflect(light.toward, normal).dot(*view)),
+            Slip::HalfVector => Some(half.dot(*normal)),
+            Slip::LightForMirrored => Some(light.toward.dot(*view)),
+            _ => None,
+        });
+        let highlight = highlight.unwrap_or_else(|| reflect(-light.toward, normal).dot(*view));
         let shine = phong.specular * highlight.max(0.0).powf(phong.exponent);
-        let shine = match self.slip {
-            Slip::HighlightTimesCosine => shine * cosine,
-            Slip::NoHighlight => Rgb::BLACK,
-            _ => shine,
-        };
-        let diffuse = match self.slip {
-            Slip::NoCosine => 1.0,
-            Slip::DiffuseOverPi => cosine / PI,
-            Slip::HighlightInTheShadow if !arrives => 0.0,
-            _ => cosine,
+        let factor = self.slips.make(|slip| match slip {
+            Slip::HighlightTimesCosine => Some(cosine),
+            Slip::NoHighlight => Some(0.0),
+            _ => None,
+        });
+        let shine = shine * factor.unwrap_or(1.0);
+        let diffuse = if self.is(Slip::NoCosine) { 1.0 } else { cosine };
+        let diffuse = if self.is(Slip::HighlightInTheShadow) && !arrives {
+            0.0
+        } else if self.is(Slip::DiffuseOverPi) {
+            diffuse / PI
+        } else {
+            diffuse
         };
         if self.is(Slip::HighlightUnlit) {
             return phong.diffuse * diffuse * light.arriving + shine;

@@ -121,7 +121,7 @@ impl Graded for SphereHit {
             hint: "There the ray is deep inside the sphere: how far before that point is the surface?",
             answer: |q| {
                 hit(q, |how| {
-                    how.asked = |_, [near, far]| [0.5 * (near + far); 2]
+                    how.asked = |_, [near, far]| [0.5 * (near + far); 2];
                 })
             },
         },
@@ -174,7 +174,7 @@ impl Graded for SphereHit {
             hint: "The near root may lie before the interval although it is ahead: what about the far root then?",
             answer: |q| {
                 hit(q, |how| {
-                    how.asked = |_, [near, far]| [if near > 0.0 { near } else { far }; 2]
+                    how.asked = |_, [near, far]| [if near > 0.0 { near } else { far }; 2];
                 })
             },
         },

@@ -88,7 +88,7 @@ impl Graded for Refract {
             hint: "You have the square of a cosine: how long is your answer at 45°?",
             answer: |q| {
                 bent(q, |how| {
-                    how.second = |cos1, eta| Some(square(cos1, eta)).filter(|square| *square > 0.0)
+                    how.second = |cos1, eta| Some(square(cos1, eta)).filter(|square| *square > 0.0);
                 })
             },
         },
@@ -97,7 +97,7 @@ impl Graded for Refract {
             hint: "Does your ray go on behind the surface, or come back?",
             answer: |q| {
                 bent(q, |how| {
-                    how.ray = |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, -cos2)
+                    how.ray = |i, n, eta, cos1, cos2| snell(i, n, eta, cos1, -cos2);
                 })
             },
         },
@@ -124,7 +124,7 @@ impl Graded for Refract {
             hint: "What does it mean if the square of a cosine is negative?",
             answer: |q| {
                 bent(q, |how| {
-                    how.second = |cos1, eta| Some(square(cos1, eta).abs().sqrt())
+                    how.second = |cos1, eta| Some(square(cos1, eta).abs().sqrt());
                 })
             },
         },
@@ -133,7 +133,7 @@ impl Graded for Refract {
             hint: "What does it mean if the square of a cosine is negative?",
             answer: |q| {
                 bent(q, |how| {
-                    how.second = |cos1, eta| Some(square(cos1, eta).max(0.0).sqrt())
+                    how.second = |cos1, eta| Some(square(cos1, eta).max(0.0).sqrt());
                 })
             },
         },
@@ -155,7 +155,7 @@ impl Graded for Refract {
             hint: "Seen from above, does a ray turn back where it enters the glass?",
             answer: |q| {
                 bent(q, |how| {
-                    how.ray = |i, n, eta, cos1, cos2| -eta * (i + cos1 * n) - cos2 * n
+                    how.ray = |i, n, eta, cos1, cos2| -eta * (i + cos1 * n) - cos2 * n;
                 })
             },
         },
@@ -180,7 +180,7 @@ impl Graded for Refract {
             hint: "Into a denser medium a ray bends towards the normal, and out of it?",
             answer: |q| {
                 bent(q, |how| {
-                    how.ratio = |q| q.outside.min(q.inside) / q.outside.max(q.inside)
+                    how.ratio = |q| q.outside.min(q.inside) / q.outside.max(q.inside);
                 })
             },
         },

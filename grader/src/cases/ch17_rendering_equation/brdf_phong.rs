@@ -114,7 +114,7 @@ impl Graded for BrdfPhong {
             hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
             answer: |q| {
                 brdf(q, |how| {
-                    how.cos_alpha = |q| Dir3::new_or(*q.toward + *q.view, q.normal).dot(*q.normal)
+                    how.cos_alpha = |q| Dir3::new_or(*q.toward + *q.view, q.normal).dot(*q.normal);
                 })
             },
         },
@@ -188,7 +188,7 @@ impl Graded for BrdfPhong {
             hint: "Which models have a factor for the half vector, and is there one in yours?",
             answer: |q| {
                 brdf(q, |how| {
-                    how.times = |q| 0.25 / (q.normal.dot(*q.toward) * q.normal.dot(*q.view))
+                    how.times = |q| 0.25 / (q.normal.dot(*q.toward) * q.normal.dot(*q.view));
                 })
             },
         },
@@ -239,7 +239,7 @@ impl Graded for BrdfPhong {
             hint: "One of the two is below the surface: what does your condition say?",
             answer: |q| {
                 brdf(q, |how| {
-                    how.is_lit = |light, viewer| light > 0.0 || viewer > 0.0
+                    how.is_lit = |light, viewer| light > 0.0 || viewer > 0.0;
                 })
             },
         },

@@ -100,12 +100,12 @@ pub struct Slips([Option<Slip>; 2]);
 
 impl Slips {
     /// Whether this slip is among them.
-    pub fn have(&self, slip: Slip) -> bool {
+    pub fn have(self, slip: Slip) -> bool {
         self.0.contains(&Some(slip))
     }
 
     /// What the first of them makes of something that it changes.
-    pub fn make<T>(&self, change: impl Fn(Slip) -> Option<T>) -> Option<T> {
+    pub fn make<T>(self, change: impl Fn(Slip) -> Option<T>) -> Option<T> {
         self.0.into_iter().flatten().find_map(change)
     }
 }

@@ -103,21 +103,7 @@ impl<'a> Tracer<'a> {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction, hit.t),
             Matter::Mirror(mirror) => {
                 let mirrored = reflect(ray.direction, normal);
-                let seen = if self.is(Slip::MirrorsShowTheBackdrop) {
-                    self.backdrop(mirrored)
-                } else {
-                    see(mirrored)
-                };
-                let seen = if self.is(Slip::MirrorsWithoutColour) {
-                    seen
-                } else {
-                    mirror.share * seen
-                };
-                if self.is(Slip::AmbientOnMirrors) {
-                    seen + self.scene.ambient
-                } else {
-                    seen
-                }
+                self.in_mirror(mirror.share, mirrored, &see)
             }
             Matter::Glass(clear) => 'glass: {
                 let index = if self.is(Slip::AlwaysCrownGlass) {
@@ -167,6 +153,25 @@ impl<'a> Tracer<'a> {
             return Rgb::BLACK;
         }
         seen
+    }
+
+    /// What a mirror of this share shows: what it can `see` along the mirrored direction.
+    fn in_mirror(&self, share: Rgb, mirrored: Dir3, see: &dyn Fn(Dir3) -> Rgb) -> Rgb {
+        let seen = if self.is(Slip::MirrorsShowTheBackdrop) {
+            self.backdrop(mirrored)
+        } else {
+            see(mirrored)
+        };
+        let seen = if self.is(Slip::MirrorsWithoutColour) {
+            seen
+        } else {
+            share * seen
+        };
+        if self.is(Slip::AmbientOnMirrors) {
+            seen + self.scene.ambient
+        } else {
+            seen
+        }
     }
 
     /// What a ray sees that meets nothing.

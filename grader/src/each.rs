@@ -7,10 +7,11 @@ use std::thread;
 /// What a function makes of each of these, in their order.
 ///
 /// The threads are none of rayon's: one that waits for a part of its work takes up other work meanwhile, which would find there the
-/// mistake that is given for what is right.
+/// mistake that is given for what is right. On a thread of rayon's, which has others beside it, no more are begun: if all of them waited
+/// here, nobody would do what these ask of rayon.
 pub fn each<T: Sync, R: Send>(of: &[T], make: impl Fn(&T) -> R + Sync) -> Vec<R> {
     let threads = rayon::current_num_threads().min(of.len());
-    if threads < 2 {
+    if threads < 2 || rayon::current_thread_index().is_some() {
         return of.iter().map(make).collect();
     }
     let next = AtomicUsize::new(0);

@@ -6,6 +6,7 @@
 pub use crate::attempt::attempt;
 pub use crate::budget::Budget;
 pub use crate::clock::{Clock, usage};
+pub use crate::each::each;
 pub use crate::serve::until::Until;
 #[cfg(target_os = "linux")]
 pub use crate::stat::Stat;

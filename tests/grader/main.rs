@@ -15,6 +15,7 @@ mod common;
 mod confused;
 mod cost;
 mod diagnosis;
+mod each;
 mod evidence;
 mod exercise;
 mod explain;

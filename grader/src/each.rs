@@ -4,6 +4,14 @@ use std::panic::resume_unwind;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::thread;
 
+/// What a function finds for these, in their order.
+pub fn found_of_each<T: Sync, R: Send>(
+    of: &[T],
+    find: impl Fn(&T) -> Option<R> + Sync,
+) -> impl Iterator<Item = R> {
+    each(of, find).into_iter().flatten()
+}
+
 /// What a function makes of each of these, in their order.
 ///
 /// The threads are none of rayon's: one that waits for a part of its work takes up other work meanwhile, which would find there the

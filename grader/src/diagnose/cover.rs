@@ -4,7 +4,7 @@ use super::evidence::{Evidence, Score};
 use super::misread::Misreading;
 use super::search::misread;
 use super::{Beside, COMMON, Diagnosis};
-use crate::each::each;
+use crate::each::found_of_each;
 
 /// Mistakes that are told at once.
 const SEVERAL: usize = 3;
@@ -162,14 +162,14 @@ fn ones(evidence: &Evidence<'_>, readings: &[Misreading]) -> Vec<One> {
         })
     };
     let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
-    let own = each(&mistakes, |&(i, (name, hint))| {
+    let own = found_of_each(&mistakes, |&(i, (name, hint))| {
         one(name, hint, 0, &|k| evidence.mistaken(i, k))
     });
     let common = readings.iter().filter(|reading| reading.rank <= COMMON);
     let common: Vec<_> = common.collect();
-    let read = each(&common, |reading| {
+    let read = found_of_each(&common, |reading| {
         let answer = |k: usize| misread(evidence, reading, k);
         one(&reading.name, &reading.hint, reading.rank, &answer)
     });
-    own.into_iter().chain(read).flatten().collect()
+    own.chain(read).collect()
 }

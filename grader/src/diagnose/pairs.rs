@@ -8,7 +8,7 @@ use super::search::{called, misread};
 use super::slips::slipped;
 use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
-use crate::each::each;
+use crate::each::{each, found_of_each};
 use std::cell::Cell;
 
 /// Wrong answers that an explanation is tried on before it is tried on all.
@@ -110,7 +110,13 @@ pub fn both(evidence: &Evidence<'_>, readings: &[Misreading], found: &mut Vec<Fo
 }
 
 /// Two mistakes, told by their names and hints.
-fn pair(names: [(&str, &str); 2], rank: u32, fitted: u32, score: Score, answers: Answers) -> Found {
+pub fn pair(
+    names: [(&str, &str); 2],
+    rank: u32,
+    fitted: u32,
+    score: Score,
+    answers: Answers,
+) -> Found {
     let [(name, hint), then] = names.map(|(name, hint)| (name.to_owned(), hint.to_owned()));
     Found {
         name,
@@ -265,7 +271,7 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
     let pairs: Vec<_> = pairs
         .filter(|pair| pair.iter().any(|one| gives[*one]))
         .collect();
-    let made = each(&pairs, |&[first, second]| {
+    found.extend(found_of_each(&pairs, |&[first, second]| {
         let upon = Upon::new(first, second);
         let promises = probe.score(PROMISING * share, |k| upon.answer(&probe, k));
         if promises.is_none() || !upon.is_made() {
@@ -280,8 +286,7 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
         let mut pair = pair(names, UPON, 0, score, answers);
         pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
         Some(pair)
-    });
-    found.extend(made.into_iter().flatten());
+    }));
 }
 
 /// The first of two mistakes.

@@ -5,7 +5,7 @@ use super::evidence::Evidence;
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
-use super::pairs::{TOGETHER, of_two};
+use super::pairs::{TOGETHER, of_two, pair};
 use super::search::{golden, misread};
 use super::slips::{Slipped, each_slip, fitted, slipped};
 use super::special;
@@ -51,17 +51,9 @@ fn both(evidence: &Evidence<'_>, first: &Found, other: Other, rest: &[usize]) ->
         return None;
     }
     let score = evidence.score(MOST, |k| other.answers[k].clone())?;
-    let found = Found {
-        name: first.name.clone(),
-        hint: first.hint.clone(),
-        then: Some((other.name, other.hint)),
-        rival: None,
-        rank: RANK + other.rank,
-        fitted: first.fitted,
-        score,
-        answers: other.answers,
-        ties: 0,
-    };
+    let names = [(&*first.name, &*first.hint), (&*other.name, &*other.hint)];
+    let rank = RANK + other.rank;
+    let found = pair(names, rank, first.fitted, score, other.answers);
     found.is_complete().then_some(found)
 }
 

@@ -11,7 +11,7 @@ use super::slips::{Slipped, each_slip, fitted, goes_a_known_way, slipped};
 use super::special;
 use super::{Diagnosis, MOST};
 use crate::attempt::attempt;
-use crate::each::each;
+use crate::each::found_of_each;
 use raybook_workbook::exercise::Asked;
 use std::collections::BTreeMap;
 
@@ -89,7 +89,7 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
 fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
     let examiner = evidence.examiner;
     let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
-    found.extend(consider_each(&mistakes, |&(i, (name, hint))| {
+    found.extend(found_of_each(&mistakes, |&(i, (name, hint))| {
         let one = Explanation {
             name: name.to_owned(),
             hint: hint.to_owned(),
@@ -102,14 +102,6 @@ fn own(evidence: &Evidence<'_>, share: f64, found: &mut Vec<Found>) {
         one.decide_ties(evidence, &answer);
         Some(one)
     }));
-}
-
-/// What is found when each of these is considered.
-fn consider_each<T: Sync>(
-    of: &[T],
-    consider: impl Fn(&T) -> Option<Found> + Sync,
-) -> impl Iterator<Item = Found> {
-    each(of, consider).into_iter().flatten()
 }
 
 /// The own mistake that gives nearly all answers. In a few cases rounding decides what is answered: a ray in a plane, a box that is only
@@ -188,7 +180,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     let mut made = special::explanations(evidence, &golden);
     made.extend(fit::explanations(evidence, &golden, true));
     found.extend(made.into_iter().filter_map(known));
-    found.extend(consider_each(&component::all(evidence), |one| {
+    found.extend(found_of_each(&component::all(evidence), |one| {
         let answer = |k: usize| one.answer(evidence, k);
         consider(evidence, share, one.explanation(), &answer)
     }));
@@ -196,7 +188,7 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
         let answer = |k: usize| misread(evidence, reading, k);
         consider(evidence, share, by_reading(reading), &answer)
     };
-    found.extend(consider_each(readings, misread));
+    found.extend(found_of_each(readings, misread));
     if evidence.is_judged() && !found.iter().any(Found::is_exact) {
         by_slips(evidence, share, slipped(evidence), found);
     }
@@ -208,11 +200,11 @@ pub fn plain(evidence: &Evidence<'_>, readings: &[Misreading], share: f64, found
     let is_quick = evidence.examiner.limits().effort <= 1;
     let asked = evidence.examiner.asked().question;
     if is_whole && is_quick && !found.iter().any(Found::is_exact) {
-        found.extend(consider_each(&bounded(asked), misread));
+        found.extend(found_of_each(&bounded(asked), misread));
     }
     let is_fit = is_whole && evidence.tells_much();
     if is_fit && !found.iter().any(Found::is_exact) {
-        found.extend(consider_each(&times(asked), |reading| {
+        found.extend(found_of_each(&times(asked), |reading| {
             let answer = |by: f64, k: usize| self::misread(evidence, &reading(by), k);
             let by = fit::factor::factor(evidence, &answer)?;
             misread(&reading(by))

@@ -8,7 +8,7 @@ use super::pairs::Upon;
 use super::search::{golden, misread};
 use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
-use crate::each::each;
+use crate::each::{each, found_of_each};
 
 /// What is not explained by a mistake may be this share of what it explains …
 const REST: f64 = 0.35;
@@ -230,26 +230,23 @@ fn considered(
     };
     let mut found: Vec<Considered> = Vec::new();
     let mistakes: Vec<_> = examiner.mistakes().into_iter().enumerate().collect();
-    let own = each(&mistakes, |&(i, (name, hint))| {
+    found.extend(found_of_each(&mistakes, |&(i, (name, hint))| {
         consider(0, name, hint, &|k| evidence.mistaken(i, k))
-    });
-    found.extend(own.into_iter().flatten());
+    }));
     let Some(readings) = readings else {
         return found;
     };
     let mut made = special::explanations(evidence, &right);
     made.extend(fit::factors(evidence, &right));
     made.extend(fit::functions(evidence, &right));
-    let made = each(&made, |one| {
+    found.extend(found_of_each(&made, |one| {
         let answer = |k: usize| one.answers[k].clone();
         consider(one.rank, &one.name, &one.hint, &answer)
-    });
-    found.extend(made.into_iter().flatten());
-    let read = each(readings, |reading| {
+    }));
+    found.extend(found_of_each(readings, |reading| {
         let answer = |k| misread(evidence, reading, k);
         consider(reading.rank, &reading.name, &reading.hint, &answer)
-    });
-    found.extend(read.into_iter().flatten());
+    }));
     // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
     let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
     if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
@@ -410,10 +407,10 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
     };
     let count = evidence.examiner.mistakes().len();
     let mistakes: Vec<_> = (0..count).collect();
-    let alone = each(&mistakes, |&i| {
+    let alone = found_of_each(&mistakes, |&i| {
         Some((i, few.distance(&|k| probe.mistaken(i, k))?.norm()))
     });
-    let mut near: Vec<_> = alone.into_iter().flatten().collect();
+    let mut near: Vec<_> = alone.collect();
     near.sort_by(|a, b| a.1.total_cmp(&b.1));
     near.truncate(CANDIDATES);
     let near = each(&near, |&(mistake, _)| {
@@ -425,7 +422,7 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
         others.map(|other| [*one, *other])
     });
     let pairs: Vec<_> = pairs.collect();
-    let found = each(&pairs, |&[(first, one), (second, other)]| {
+    let found = found_of_each(&pairs, |&[(first, one), (second, other)]| {
         let upon = Upon::new(first, second);
         let rest = few.distance(&|k| upon.answer(&probe, k));
         let promises = rest.is_some_and(|rest| rest.norm() <= PROMISING * from_right.norm());
@@ -445,7 +442,7 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
             then: Some(then),
         })
     });
-    found.into_iter().flatten().collect()
+    found.collect()
 }
 
 /// The slips that make the first wrong answers likely.

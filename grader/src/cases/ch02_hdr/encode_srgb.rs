@@ -244,8 +244,8 @@ struct How {
     bend: f32,
     /// The slope of this line.
     slope: f32,
-    /// The curve above it, of a value and the exponent.
-    curve: fn(f32, f32) -> f32,
+    /// The curve above it.
+    curve: fn(v: f32, exponent: f32) -> f32,
     exponent: f32,
 }
 

@@ -195,9 +195,9 @@ impl Graded for Expose {
 #[derive(Clone, Copy)]
 struct How {
     /// The factor of a number of stops.
-    factor: fn(f32) -> f32,
+    factor: fn(stops: f32) -> f32,
     /// What becomes of a colour by the factor.
-    apply: fn(Rgb, f32) -> Rgb,
+    apply: fn(colour: Rgb, factor: f32) -> Rgb,
 }
 
 /// As it should be.

@@ -218,8 +218,8 @@ struct How {
     /// The luminance of a colour.
     luminance: fn(Rgb) -> f32,
     share: Share,
-    /// What becomes of a colour of this luminance.
-    apply: fn(Rgb, f32, Share) -> Rgb,
+    /// What becomes of a colour of the luminance `l`.
+    apply: fn(colour: Rgb, l: f32, share: Share) -> Rgb,
 }
 
 /// As it should be.

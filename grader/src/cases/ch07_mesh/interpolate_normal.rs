@@ -167,7 +167,7 @@ impl Graded for InterpolateNormal {
 #[derive(Clone, Copy)]
 struct How {
     /// The weights of the three normals, of b1 and b2.
-    weights: fn([f32; 2]) -> [f32; 3],
+    weights: fn(b: [f32; 2]) -> [f32; 3],
     /// Makes the sum a unit vector.
     normalises: bool,
 }

@@ -477,14 +477,14 @@ impl Graded for VertexNormals {
 struct How {
     /// The triangles that are looked at.
     taken: fn(&[Indices]) -> &[Indices],
-    /// What a triangle with these corners adds to the one of this number.
-    vector: fn([Vec3; 3], usize) -> Vec3,
+    /// What a triangle with these `corners` adds to corner `k` of them.
+    vector: fn(corners: [Vec3; 3], k: usize) -> Vec3,
     /// The share of it that each corner gets.
     shares: [f32; 3],
-    /// What a vertex has next, of what it has so far, a triangle's vector, and the number of triangles before.
-    add: fn(Vec3, Vec3, f32) -> Vec3,
-    /// The normal, of what a vertex has in the end, and the number of its triangles.
-    normal: fn(Vec3, f32) -> Vec3,
+    /// What a vertex has next that has `so_far`, of `before` triangles, when another one adds its `vector`.
+    add: fn(so_far: Vec3, vector: Vec3, before: f32) -> Vec3,
+    /// The normal of a vertex that has this `sum` in the end, of `count` triangles.
+    normal: fn(sum: Vec3, count: f32) -> Vec3,
 }
 
 /// As it should be.

@@ -280,14 +280,14 @@ fn ratio(q: &Refract) -> f32 {
 struct How {
     /// The normal on the ray's side.
     normal: fn(&Refract) -> Vec3,
-    /// The cosine of the incoming ray, of the question and this normal.
-    cosine: fn(&Refract, Vec3) -> f32,
+    /// The cosine of the incoming ray with the normal `n`.
+    cosine: fn(&Refract, n: Vec3) -> f32,
     /// n₁/n₂.
     ratio: fn(&Refract) -> f32,
-    /// The cosine of the refracted ray, of the first one and the ratio; none where the ray is totally reflected.
-    second: fn(f32, f32) -> Option<f32>,
-    /// The refracted ray, of the direction, the normal, the ratio, and both cosines.
-    ray: fn(Vec3, Vec3, f32, f32, f32) -> Vec3,
+    /// The cosine of the refracted ray, where that of the incoming one is `cos1`; none where the ray is totally reflected.
+    second: fn(cos1: f32, eta: f32) -> Option<f32>,
+    /// The refracted ray of the direction `i`.
+    ray: fn(i: Vec3, n: Vec3, eta: f32, cos1: f32, cos2: f32) -> Vec3,
 }
 
 /// As it should be.

@@ -254,8 +254,8 @@ impl Graded for BrdfPhong {
 /// How the BRDF is made; one field wrong is a mistake.
 #[derive(Clone, Copy)]
 struct How {
-    /// Whether there is any light, of the cosines of the light and the viewer.
-    is_lit: fn(f32, f32) -> bool,
+    /// Whether there is any, where these are the cosines of the `light` and the `viewer`.
+    is_lit: fn(light: f32, viewer: f32) -> bool,
     /// What the albedo of the matte part is multiplied by.
     matte: fn(&BrdfPhong) -> f32,
     /// The factor of the highlight.
@@ -264,8 +264,8 @@ struct How {
     times: fn(&BrdfPhong) -> f32,
     /// The cosine of the angle between the mirrored direction and the other one.
     cos_alpha: fn(&BrdfPhong) -> f32,
-    /// The power of a cosine and the exponent.
-    power: fn(f32, f32) -> f32,
+    /// The power of the cosine.
+    power: fn(cosine: f32, n: f32) -> f32,
 }
 
 /// As it should be.

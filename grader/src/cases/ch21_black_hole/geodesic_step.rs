@@ -301,16 +301,16 @@ type Pull<'a> = &'a dyn Fn(DVec3, DVec3) -> DVec3;
 struct How {
     /// The factor of Einstein's term.
     factor: f64,
-    /// The square of h, of a position and a velocity.
-    h2: fn(DVec3, DVec3) -> f64,
+    /// The square of h.
+    h2: fn(x: DVec3, v: DVec3) -> f64,
     /// The power of |x| by which it is divided.
     power: i32,
     /// The vector along which it pulls.
-    along: fn(DVec3, DVec3) -> DVec3,
+    along: fn(x: DVec3, v: DVec3) -> DVec3,
     /// The factor of a pull by Newton's law besides.
     newton: f64,
-    /// The position and the velocity after a step, of those before and its length.
-    step: fn(DVec3, DVec3, f64, Pull<'_>) -> [DVec3; 2],
+    /// The position and the velocity after a step.
+    step: fn(x: DVec3, v: DVec3, step: f64, pull: Pull<'_>) -> [DVec3; 2],
 }
 
 /// As it should be: a good step (the classical fourth-order one).

@@ -171,17 +171,20 @@ pub struct Tried {
 }
 
 impl Tried {
-    /// Counts the steps; returns how many are left.
+    /// Counts the steps: if they are too many, no more are gone.
     fn count(&mut self) -> usize {
         self.is_over = self.steps > STEPS;
-        STEPS.saturating_sub(self.steps)
+        self.steps
     }
 }
 
-/// The fewest and the most slips that are tried before their steps are counted: those that go this share of the steps that are left.
-const BLOCK: (usize, usize) = (32, 512);
+/// The fewest slips that are tried before steps are counted again, …
+const FEWEST: usize = 32;
 
-/// See there.
+/// … and the most: as many as go one in `SHARE` of the steps that are left.
+const MOST: usize = 512;
+
+/// See `MOST`.
 const SHARE: usize = 8;
 
 /// What a function makes of each slip, in their order, on all cores. Steps are counted between blocks of slips, so that it does not hang
@@ -192,13 +195,14 @@ pub fn each_slip<R: Send>(
     make: impl Fn(&Slipped) -> R + Sync,
 ) -> Vec<R> {
     let mut made = Vec::new();
-    let (mut rest, mut size) = (slips, BLOCK.0);
+    let (mut rest, mut size) = (slips, FEWEST);
     while !rest.is_empty() {
-        let left = lock(&evidence.slips).count();
         let (block, others) = rest.split_at(size.min(rest.len()));
+        let before = lock(&evidence.slips).count();
         made.extend(each(block, &make));
-        let gone = left.saturating_sub(lock(&evidence.slips).count());
-        size = (left / (SHARE * gone.div_ceil(size).max(1))).clamp(BLOCK.0, BLOCK.1);
+        let after = lock(&evidence.slips).steps;
+        let of_one = (after - before).div_ceil(block.len()).max(1);
+        size = (STEPS.saturating_sub(after) / (SHARE * of_one)).clamp(FEWEST, MOST);
         rest = others;
     }
     made

@@ -171,21 +171,23 @@ pub struct Tried {
 }
 
 impl Tried {
-    /// Counts the steps: if they are too many, no more are gone.
+    /// Counts the steps: if they are too many, no more are gone. Returns how many slips may be tried until they are counted again.
     fn count(&mut self) -> usize {
         self.is_over = self.steps > STEPS;
-        self.steps
+        let of_one = self.steps.div_ceil(self.answers.len().max(1)).max(1);
+        let left = STEPS.saturating_sub(self.steps);
+        (left / (SHARE * of_one)).clamp(FEWEST, MOST)
     }
 }
 
-/// The fewest slips that are tried before steps are counted again, …
-const FEWEST: usize = 32;
+/// The fewest slips that are tried before steps are counted again …
+const FEWEST: usize = 8;
 
-/// … and the most: as many as go one in `SHARE` of the steps that are left.
+/// … and the most.
 const MOST: usize = 512;
 
-/// See `MOST`.
-const SHARE: usize = 8;
+/// Between two counts, slips go one in this number of the steps that are left, if each has one answer of mean length. Most have a few.
+const SHARE: usize = 32;
 
 /// What a function makes of each slip, in their order, on all cores. Steps are counted between blocks of slips, so that it does not hang
 /// on the order in which these are tried which are the last.
@@ -195,14 +197,11 @@ pub fn each_slip<R: Send>(
     make: impl Fn(&Slipped) -> R + Sync,
 ) -> Vec<R> {
     let mut made = Vec::new();
-    let (mut rest, mut size) = (slips, FEWEST);
+    let mut rest = slips;
     while !rest.is_empty() {
+        let size = lock(&evidence.slips).count();
         let (block, others) = rest.split_at(size.min(rest.len()));
-        let before = lock(&evidence.slips).count();
         made.extend(each(block, &make));
-        let after = lock(&evidence.slips).steps;
-        let of_one = (after - before).div_ceil(block.len()).max(1);
-        size = (STEPS.saturating_sub(after) / (SHARE * of_one)).clamp(FEWEST, MOST);
         rest = others;
     }
     made

@@ -3,10 +3,10 @@
 mod densities;
 
 use self::densities::{
-    OfDensity, between, by_own_sine, by_sines, from_the_middle, in_the_dark, is_at_pole, neighbour,
+    OfDensity, between, by_own_sine, by_row_and_column, density, from_the_middle, is_at_pole,
     quarters, rounded, tenth,
 };
-use super::{OfMap, cell, toward};
+use super::{OfMap, toward};
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::vec2;
 use raybook::light::environment::latlong;
@@ -37,17 +37,17 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "returns the probability of the texel",
             hint: "A probability becomes a density when it is divided by something: what is the unit of the answer?",
-            answer: |q| q.share().0 as f32,
+            answer: |q| density(q, |how| how.area = Some(|_, _| 1.0)),
         },
         Mistake {
             name: "returns the density on the map, not on the sphere",
             hint: "How many steradians is the unit square of the map, and is it the same everywhere on it?",
-            answer: |q| (q.share().0 * f64::from(q.width * q.height)) as f32,
+            answer: |q| density(q, |how| how.area = Some(|q, _| q.of_one(1.0))),
         },
         Mistake {
             name: "takes the sine at the direction for the whole texel",
             hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
-            answer: by_own_sine,
+            answer: |q| density(q, |how| how.area = Some(by_own_sine)),
         },
         Mistake {
             name: "multiplies by the sine at the direction once more",
@@ -58,19 +58,16 @@ impl Graded for EnvironmentPdf {
             name: "forgets that rows differ in solid angle when it chooses them",
             hint: "For a constant map the density must be 1/(4π) everywhere: is it, near a pole?",
             answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
-                if sum > 0.0 {
-                    (map.texel(x, y) / sum / map.solid_angle(y)) as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.weight = |_, _| 1.0;
+                    how.area = Some(EnvironmentPdf::solid_angle);
+                })
             },
         },
         Mistake {
             name: "gives all texels the solid angle of 4π over their number",
             hint: "Texels at the equator and at a pole: which is larger on the sphere?",
-            answer: |q| (q.share().0 * f64::from(q.width * q.height) / (4.0 * PI)) as f32,
+            answer: |q| density(q, |how| how.area = Some(|q, _| q.of_one(4.0 * PI))),
         },
         Mistake {
             name: "ignores the map",
@@ -97,52 +94,25 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "returns the radiance",
             hint: "If the whole map were twice as bright, would the directions be chosen otherwise?",
-            answer: |q| {
-                let (x, y) = q.texel();
-                q.map().texel(x, y) as f32
-            },
+            answer: |q| density(q, |how| how.whole = Some(|_, _| 1.0)),
         },
         Mistake {
             name: "divides the radiance by the sum of the texels",
             hint: "In which unit is the integral of the map? What is a texel multiplied by in it?",
-            answer: |q| {
-                let map = q.map();
-                let sum: f32 = q.texels.iter().sum();
-                let (x, y) = q.texel();
-                if sum > 0.0 {
-                    map.texel(x, y) as f32 / sum
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.weight = |_, _| 1.0),
         },
         Mistake {
             name: "takes 2π² for the solid angle of the map, as if all rows were equally wide",
             hint: "A row of texels near a pole: how wide is it on the sphere?",
-            answer: |q| {
-                let map = q.map();
-                let sum: f32 = q.texels.iter().sum();
-                let (x, y) = q.texel();
-                let solid = 2.0 * std::f32::consts::PI.powi(2) / q.texels.len() as f32;
-                if sum > 0.0 {
-                    map.texel(x, y) as f32 / (sum * solid)
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.weight = |q, _| q.of_one(2.0 * PI * PI)),
         },
         Mistake {
             name: "exchanges rows and columns of the map",
             hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {
-                let (x, y) = q.texel();
-                let there = q.texels.get(x * q.height as usize + y);
-                let all = integral(q);
-                if all > 0.0 {
-                    (f64::from(there.copied().unwrap_or(0.0)) / all) as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.radiance = |q, _, [x, y]| q.listed(x * q.height as usize + y).unwrap_or(0.0)
+                })
             },
         },
         Mistake {
@@ -159,120 +129,100 @@ impl Graded for EnvironmentPdf {
             name: "multiplies the row by the number of rows, not by the width, to find the texel in the list",
             hint: "How many texels come in the list before the first one of the second row?",
             answer: |q| {
-                let (x, y) = q.texel();
-                let Some(there) = q.texels.get(y * q.height as usize + x) else {
-                    return Self::right(q);
-                };
-                let all = q.map().all_light();
-                if all > 0.0 {
-                    (f64::from(*there) / all) as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.radiance = |q, _, [x, y]| {
+                        let there = q.listed(y * q.height as usize + x);
+                        there.unwrap_or_else(|| q.texel(x, y))
+                    };
+                })
             },
         },
         Mistake {
             name: "takes 4π over their number for the solid angle of every texel, in the sum too",
             hint: "Texels at the equator and at a pole: which is larger on the sphere?",
-            answer: |q| {
-                let sum: f32 = q.texels.iter().sum();
-                let solid = 4.0 * std::f32::consts::PI / q.texels.len() as f32;
-                let (x, y) = q.texel();
-                if sum > 0.0 {
-                    q.map().texel(x, y) as f32 / (sum * solid)
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.weight = |q, _| q.of_one(4.0 * PI)),
         },
         Mistake {
             name: "rounds the place to a texel instead of cutting off its fraction",
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
-            answer: |q| rounded(q, true, true),
+            answer: |q| density(q, |how| how.number = [rounded; 2]),
         },
         Mistake {
             name: "rounds the row instead of cutting off its fraction",
             hint: "The place 0.9 of three rows is 2.7: in which row is that, counted from 0?",
-            answer: |q| rounded(q, false, true),
+            answer: |q| density(q, |how| how.number[1] = rounded),
         },
         Mistake {
             name: "rounds the column instead of cutting off its fraction",
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
-            answer: |q| rounded(q, true, false),
+            answer: |q| density(q, |how| how.number[0] = rounded),
         },
         Mistake {
             name: "rounds the column instead of cutting off its fraction, and takes the first one behind the last",
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
             answer: |q| {
-                let column = (latlong::place(q.direction).x * q.width as f32).round();
-                neighbour(q, column as i32 - q.texel().0 as i32, 0)
+                density(q, |how| {
+                    how.number[0] = |place, n| (place * n as f32).round() as i32
+                })
             },
         },
         Mistake {
             name: "finds the row by the height, not by the angle from the top",
             hint: "The rows of the map are equally many degrees high: are they equally high on the sphere?",
             answer: |q| {
-                let row = cell(0.5 - 0.5 * q.direction.y, q.height) as i32;
-                neighbour(q, 0, row - q.texel().1 as i32)
+                density(q, |how| {
+                    how.place = |d| vec2(latlong::place(d).x, 0.5 - 0.5 * d.y)
+                })
             },
         },
         Mistake {
             name: "takes the sine in the middle of a row for the whole row",
             hint: "The solid angle of a row is 2π times a difference of cosines: how far is the sine in its middle from that, near a pole?",
-            answer: |q| by_sines(q, 0.5),
+            answer: |q| density(q, |how| how.weight = |q, row| q.by_sine(row, 0.5)),
         },
         Mistake {
             name: "takes the sine at a row's upper edge for the whole row",
             hint: "How large is the solid angle of your first row?",
-            answer: |q| by_sines(q, 0.0),
+            answer: |q| density(q, |how| how.weight = |q, row| q.by_sine(row, 0.0)),
         },
         Mistake {
             name: "divides the radiance by the brightest texel",
             hint: "A density's integral over all directions is 1: what is that of yours?",
             answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let most = q.texels.iter().copied().fold(0.0, f32::max);
-                if most > 0.0 {
-                    map.texel(x, y) as f32 / most
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.whole = Some(|q, _| q.texels.iter().copied().fold(0.0, f32::max).into())
+                })
             },
         },
         Mistake {
             name: "takes the sine at the direction for the whole texel, and chooses all rows as if they were equally wide",
             hint: "For a constant map the density must be 1/(4π) everywhere: is it, near a pole?",
             answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let sum: f64 = q.texels.iter().map(|t| f64::from(*t)).sum();
-                let sine = f64::from(q.direction.x.hypot(q.direction.z)).max(1e-6);
-                let texel = 2.0 * PI * PI * sine / f64::from(q.width * q.height);
-                if sum > 0.0 {
-                    (map.texel(x, y) / (sum * texel)) as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.weight = |_, _| 1.0;
+                    how.area = Some(by_own_sine);
+                })
             },
         },
         Mistake {
             name: "is one column too far right",
             hint: "The place 0 is in the first column, whose number is 0: which number does your formula give?",
-            answer: |q| neighbour(q, 1, 0),
+            answer: |q| density(q, |how| how.right = 1),
         },
         Mistake {
             name: "is one column too far left",
             hint: "The place 0 is in the first column, whose number is 0: which number does your formula give?",
-            answer: |q| neighbour(q, -1, 0),
+            answer: |q| density(q, |how| how.right = -1),
         },
         Mistake {
             name: "is one row too low",
             hint: "The place 0 is in the first row, whose number is 0: which number does your formula give?",
-            answer: |q| neighbour(q, 0, 1),
+            answer: |q| density(q, |how| how.down = 1),
         },
         Mistake {
             name: "is one row too high",
             hint: "The place 0 is in the first row, whose number is 0: which number does your formula give?",
-            answer: |q| neighbour(q, 0, -1),
+            answer: |q| density(q, |how| how.down = -1),
         },
         Mistake {
             name: "is half a turn off",
@@ -292,54 +242,35 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "returns 1/(4π) for a black map",
             hint: "With which probability does a black map choose a direction?",
-            answer: |q| in_the_dark(q, (0.25 / PI) as f32),
+            answer: |q| density(q, |how| how.dark = (0.25 / PI) as f32),
         },
         Mistake {
             name: "returns NaN for a black map",
             hint: "A black map has no light: which two numbers do you divide?",
-            answer: |q| in_the_dark(q, f32::NAN),
+            answer: |q| density(q, |how| how.dark = f32::NAN),
         },
         Mistake {
             name: "takes the sine at a row's lower edge for the whole row",
             hint: "How large is the solid angle of your last row?",
-            answer: |q| by_sines(q, 1.0),
+            answer: |q| density(q, |how| how.weight = |q, row| q.by_sine(row, 1.0)),
         },
         Mistake {
             name: "goes over evenly from texel to texel, as between the pixels of a picture",
             hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel?",
-            answer: |q| {
-                let map = q.map();
-                let all = map.all_light();
-                if all > 0.0 {
-                    (between(&map, latlong::place(q.direction)) / all) as f32
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.radiance = between),
         },
         Mistake {
             name: "multiplies the row's probability with that of the column in the whole map",
             hint: "The column is chosen after the row: how probable is it in that row?",
-            answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let row: f64 = (0..q.width as usize).map(|x| map.share(x, y)).sum();
-                let column: f64 = (0..q.height as usize).map(|y| map.share(x, y)).sum();
-                if map.all_light() > 0.0 {
-                    (row * column / map.solid_angle(y)) as f32
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.radiance = by_row_and_column),
         },
         Mistake {
             name: "multiplies the place by one column and one row less than there are",
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
             answer: |q| {
-                let place = latlong::place(q.direction);
-                let fewer = vec2(q.width as f32, q.height as f32) - 1.0;
-                let [x, y] = (place * fewer).to_array();
-                let (right, down) = q.texel();
-                neighbour(q, x as i32 - right as i32, y as i32 - down as i32)
+                density(q, |how| {
+                    how.number = [|place, n| (place * (n as f32 - 1.0)) as i32; 2]
+                })
             },
         },
         Mistake {
@@ -351,30 +282,30 @@ impl Graded for EnvironmentPdf {
             name: "takes all rows to be chosen equally often",
             hint: "One row is dark and another one bright: how probable is each of them?",
             answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let row: f64 = (0..q.width as usize).map(|x| map.texel(x, y)).sum();
-                if row > 0.0 {
-                    (map.texel(x, y) / row / f64::from(q.height) / map.solid_angle(y)) as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.whole = Some(|q, row| q.of_row(row) * f64::from(q.height))
+                })
             },
         },
         Mistake {
             name: "rounds the place times one column and one row less than there are",
             hint: "The first of three columns is a third of the map: how much of it is it in yours?",
             answer: |q| {
-                let place = latlong::place(q.direction);
-                let fewer = vec2(q.width as f32, q.height as f32) - 1.0;
-                let [x, y] = (place * fewer).round().to_array();
-                let (right, down) = q.texel();
-                neighbour(q, x as i32 - right as i32, y as i32 - down as i32)
+                density(q, |how| {
+                    how.number = [|place, n| (place * (n as f32 - 1.0)).round() as i32; 2]
+                })
             },
         },
         Mistake {
             name: "takes the sine at the direction for the whole texel, and returns 0 at the poles",
             hint: "Directions are uniform inside a texel: does your density differ between two directions of the same texel, and why should it be 0 straight up?",
-            answer: |q| if is_at_pole(q) { 0.0 } else { by_own_sine(q) },
+            answer: |q| {
+                if is_at_pole(q) {
+                    0.0
+                } else {
+                    density(q, |how| how.area = Some(by_own_sine))
+                }
+            },
         },
         Mistake {
             name: "returns 0 at the poles",
@@ -393,12 +324,9 @@ impl Graded for EnvironmentPdf {
             name: "adds a tenth of the mean to the direction's texel, and not to those of the integral",
             hint: "A density's integral over all directions is 1: what is that of yours?",
             answer: |q| {
-                let all = q.map().all_light();
-                if all > 0.0 {
-                    Self::right(q) + tenth(q) / all as f32
-                } else {
-                    0.0
-                }
+                density(q, |how| {
+                    how.radiance = |q, _, [x, y]| q.texel(x, y) + f64::from(tenth(q))
+                })
             },
         },
         Mistake {
@@ -422,15 +350,7 @@ impl Graded for EnvironmentPdf {
         Mistake {
             name: "adds the light of the direction's row only, not of all rows",
             hint: "A density's integral over all directions is 1: what is that of yours?",
-            answer: |q| {
-                let (map, (x, y)) = (q.map(), q.texel());
-                let row: f64 = (0..q.width as usize).map(|x| map.texel(x, y)).sum();
-                if row > 0.0 {
-                    (map.texel(x, y) / row / map.solid_angle(y)) as f32
-                } else {
-                    0.0
-                }
-            },
+            answer: |q| density(q, |how| how.whole = Some(EnvironmentPdf::of_row)),
         },
     ];
 
@@ -447,13 +367,4 @@ impl Graded for EnvironmentPdf {
         },
         colour: |_, density| viridis(4.0 * density),
     }];
-}
-
-/// The integral of the radiance over all directions.
-fn integral(q: &EnvironmentPdf) -> f64 {
-    let (map, width) = (q.map(), q.width as usize);
-    let texels = (0..q.texels.len()).map(|i| (i % width, i / width));
-    texels
-        .map(|(x, y)| map.texel(x, y) * map.solid_angle(y))
-        .sum()
 }

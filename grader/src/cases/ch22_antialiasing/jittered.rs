@@ -4,6 +4,7 @@ mod placed;
 
 use super::points;
 use crate::together::Bounds;
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, together, traits};
 use glam::{Vec2, Vec2Swizzles, vec2};
 use placed::{
@@ -15,14 +16,53 @@ use raybook::math::pcg::{self, Pcg};
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
 use std::f32::consts::TAU;
 
-/// What a wrong formula makes of each cell (i, j) of (columns, rows) and two uniform numbers.
-fn cells(q: &Jittered, place: impl Fn(Vec2, Vec2, Vec2) -> Vec2) -> Vec<Vec2> {
+/// How points are put into cells; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// The cell whose two numbers are taken, for each coordinate.
+    drawn: [fn(cell: Vec2) -> Vec2; 2],
+    /// What is made of these uniform numbers.
+    bend: fn(u: Vec2) -> Vec2,
+    /// The column and the row that are taken for those of a cell.
+    cell: fn(cell: Vec2) -> Vec2,
+    /// What the column and the row are divided by, of the number of cells.
+    count: fn(count: Vec2) -> Vec2,
+    /// What the random part is divided by, of what the column and the row are.
+    width: fn(count: Vec2) -> Vec2,
+    /// What becomes of a point at last.
+    ends: fn(p: Vec2) -> Vec2,
+}
+
+/// As it should be.
+const WELL: How = How {
+    drawn: [|cell| cell; 2],
+    bend: |u| u,
+    cell: |cell| cell,
+    count: |count| count,
+    width: |count| count,
+    ends: |p| p,
+};
+
+/// The cells that share their numbers: all of a column …
+const OF_COLUMN: fn(Vec2) -> Vec2 = |cell| vec2(cell.x, 0.0);
+
+/// … or all of a row.
+const OF_ROW: fn(Vec2) -> Vec2 = |cell| vec2(0.0, cell.y);
+
+/// The points, rightly but for what is changed.
+fn in_cells(q: &Jittered, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
+    let how = changed(WELL, change);
     let rng = &mut pcg::stream(22, q.seed.into());
-    let count = vec2(q.columns as f32, q.rows as f32);
+    let drawn = (0..q.columns * q.rows).map(|_| vec2(rng.random(), rng.random()));
+    let drawn: Vec<_> = drawn.collect();
+    let number = |cell: Vec2| cell.y as usize * q.columns as usize + cell.x as usize;
+    let count = (how.count)(vec2(q.columns as f32, q.rows as f32));
+    let width = (how.width)(count);
     let cells = (0..q.rows).flat_map(|j| (0..q.columns).map(move |i| vec2(i as f32, j as f32)));
     let place = |cell| {
-        let u = vec2(rng.random(), rng.random());
-        place(cell, count, u)
+        let [x, y] = how.drawn.map(|from| drawn[number(from(cell))]);
+        let u = (how.bend)(vec2(x.x, y.y));
+        (how.ends)((how.cell)(cell) / count + u / width)
     };
     cells.map(place).collect()
 }
@@ -158,101 +198,81 @@ impl Graded for Jittered {
         Mistake {
             name: "takes the cells' middles",
             hint: "Which of your points would be elsewhere with another seed?",
-            answer: |q| cells(q, |cell, count, _| (cell + 0.5) / count),
+            answer: |q| in_cells(q, |how| how.bend = |_| Vec2::splat(0.5)),
         },
         Mistake {
             name: "puts points anywhere in the square, not one into each cell",
             hint: "How many of your points are in the first cell? And in the last?",
-            answer: |q| cells(q, |_, _, u| u),
+            answer: |q| {
+                in_cells(q, |how| {
+                    (how.cell, how.width) = (|_| Vec2::ZERO, |_| Vec2::ONE)
+                })
+            },
         },
         Mistake {
             name: "jitters around the cells' corners",
             hint: "Cell (i, j) begins at (i, j): can your point be before it?",
             answer: |q| {
-                cells(q, |cell, count, u| {
-                    ((cell + u - 0.5) / count).max(Vec2::ZERO)
+                in_cells(q, |how| {
+                    how.bend = |u| u - 0.5;
+                    how.ends = |p| p.max(Vec2::ZERO);
                 })
             },
         },
         Mistake {
             name: "moves all points by the same amount",
             hint: "Do all your points have the same place in their cells? How many random numbers does each point need?",
-            answer: |q| {
-                let u: Vec2 = {
-                    let rng = &mut pcg::stream(22, q.seed.into());
-                    vec2(rng.random(), rng.random())
-                };
-                cells(q, |cell, count, _| (cell + u) / count)
-            },
+            answer: |q| in_cells(q, |how| how.drawn = [|_| Vec2::ZERO; 2]),
         },
         Mistake {
             name: "moves all points of a column by the same amount along x",
             hint: "Do the points of one column of cells lie straight under each other? How many random numbers does each point need?",
-            answer: |q| {
-                let rng = &mut pcg::stream(23, q.seed.into());
-                let of_column: Vec<f32> = (0..q.columns).map(|_| rng.random()).collect();
-                cells(q, |cell, count, u| {
-                    (cell + vec2(of_column[cell.x as usize], u.y)) / count
-                })
-            },
+            answer: |q| in_cells(q, |how| how.drawn[0] = OF_COLUMN),
         },
         Mistake {
             name: "moves all points of a row by the same amount along y",
             hint: "Do the points of one row of cells lie side by side at one height? How many random numbers does each point need?",
-            answer: |q| {
-                let rng = &mut pcg::stream(23, q.seed.into());
-                let of_row: Vec<f32> = (0..q.rows).map(|_| rng.random()).collect();
-                cells(q, |cell, count, u| {
-                    (cell + vec2(u.x, of_row[cell.y as usize])) / count
-                })
-            },
+            answer: |q| in_cells(q, |how| how.drawn[1] = OF_ROW),
         },
         Mistake {
             name: "uses one number for both coordinates",
             hint: "Look at your points in their cells: are all of them on a diagonal?",
-            answer: |q| cells(q, |cell, count, u| (cell + u.x) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| u.xx()),
         },
         Mistake {
             name: "jitters by half a cell only",
             hint: "Can your point be anywhere in its cell, near its edges too?",
-            answer: |q| cells(q, |cell, count, u| (cell + 0.25 + 0.5 * u) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| 0.25 + 0.5 * u),
         },
         Mistake {
             name: "exchanges columns and rows",
             hint: "Try three columns and one row: are your points side by side?",
-            answer: |q| {
-                let exchanged = Jittered {
-                    columns: q.rows,
-                    rows: q.columns,
-                    ..q.clone()
-                };
-                Jittered::right(&exchanged)
-            },
+            answer: |q| Self::misread(q, |q| (q.columns, q.rows) = (q.rows, q.columns)),
         },
         Mistake {
             name: "jitters along x only",
             hint: "How many different y have your points in one row of cells?",
-            answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, 0.5)) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| vec2(u.x, 0.5)),
         },
         Mistake {
             name: "jitters along y only",
             hint: "How many different x have your points in one column of cells?",
-            answer: |q| cells(q, |cell, count, u| (cell + vec2(0.5, u.y)) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| vec2(0.5, u.y)),
         },
         Mistake {
             name: "jitters around the cells' corners, and leaves the square",
             hint: "Cell (i, j) begins at (i, j): can your point be before it?",
-            answer: |q| cells(q, |cell, count, u| (cell + u - 0.5) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| u - 0.5),
         },
         Mistake {
             name: "moves a point by as much as the whole square, not by as much as its cell",
             hint: "How wide is a cell, and how far may its point be from its left edge?",
-            answer: |q| cells(q, |cell, count, u| cell / count + u),
+            answer: |q| in_cells(q, |how| how.width = |_| Vec2::ONE),
         },
         Mistake {
             name: "divides the columns by the number of rows, and the rows by that of the columns",
             hint: "Along x, how many cells are side by side?",
-            answer: |q| cells(q, |cell, count, u| (cell + u) / count.yx()),
+            answer: |q| in_cells(q, |how| how.count = |count| count.yx()),
         },
         Mistake {
             name: "leaves out the last row of cells",
@@ -277,114 +297,102 @@ impl Graded for Jittered {
         Mistake {
             name: "squares the number that places a point along x",
             hint: "Is every place in a cell as likely as any other?",
-            answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x * u.x, u.y)) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| vec2(u.x * u.x, u.y)),
         },
         Mistake {
             name: "squares the number that places a point along y",
             hint: "Is every place in a cell as likely as any other?",
-            answer: |q| cells(q, |cell, count, u| (cell + vec2(u.x, u.y * u.y)) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| vec2(u.x, u.y * u.y)),
         },
         Mistake {
             name: "squares the numbers that place a point",
             hint: "Is every place in a cell as likely as any other?",
-            answer: |q| cells(q, |cell, count, u| (cell + u * u) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| u * u),
         },
         Mistake {
             name: "counts the cells from 1",
             hint: "In which cell is the point for i = j = 0: where does it begin?",
-            answer: |q| cells(q, |cell, count, u| (cell + 1.0 + u) / count),
+            answer: |q| in_cells(q, |how| how.cell = |cell| cell + 1.0),
         },
         Mistake {
             name: "divides both by the number of columns",
             hint: "Are your cells square where there are more columns than rows?",
-            answer: |q| cells(q, |cell, count, u| (cell + u) / count.x),
+            answer: |q| in_cells(q, |how| how.count = |count| count.xx()),
         },
         Mistake {
             name: "moves points by up to a whole cell from their cell's middle, and clamps them to the square",
             hint: "How far is it from a cell's middle to its edge?",
             answer: |q| {
-                cells(q, |cell, count, u| {
-                    ((cell + 2.0 * u - 0.5) / count)
-                        .clamp(Vec2::ZERO, Vec2::splat(1.0 - f32::EPSILON))
+                in_cells(q, |how| {
+                    how.bend = |u| 2.0 * u - 0.5;
+                    how.ends = |p| p.clamp(Vec2::ZERO, Vec2::splat(1.0 - f32::EPSILON));
                 })
             },
         },
         Mistake {
             name: "starts the generator again for every row of cells",
             hint: "Do the points of one row of cells have the same places in their cells as those of the next?",
-            answer: |q| {
-                let rng = &mut pcg::stream(22, q.seed.into());
-                let of_row: Vec<_> = (0..q.columns)
-                    .map(|_| vec2(rng.random(), rng.random()))
-                    .collect();
-                cells(q, |cell, count, _| (cell + of_row[cell.x as usize]) / count)
-            },
+            answer: |q| in_cells(q, |how| how.drawn = [OF_COLUMN; 2]),
         },
         Mistake {
             name: "takes the column for the row too",
             hint: "In which row of cells is the point for i = 0 and j = 1?",
-            answer: |q| cells(q, |cell, count, u| (cell.xx() + u) / count),
+            answer: |q| in_cells(q, |how| how.cell = |cell| cell.xx()),
         },
         Mistake {
             name: "puts all points into the first cell",
             hint: "How do i and j come in: is i/columns a division of whole numbers?",
-            answer: |q| cells(q, |_, count, u| u / count),
+            answer: |q| in_cells(q, |how| how.cell = |_| Vec2::ZERO),
         },
         Mistake {
             name: "keeps to the cells along x only, and puts y anywhere",
             hint: "How many of your points are in each row of cells?",
-            answer: |q| cells(q, |cell, count, u| vec2((cell.x + u.x) / count.x, u.y)),
+            answer: |q| {
+                in_cells(q, |how| {
+                    how.cell = |cell| vec2(cell.x, 0.0);
+                    how.width = |count| vec2(count.x, 1.0);
+                })
+            },
         },
         Mistake {
             name: "keeps to the cells along y only, and puts x anywhere",
             hint: "How many of your points are in each column of cells?",
-            answer: |q| cells(q, |cell, count, u| vec2(u.x, (cell.y + u.y) / count.y)),
+            answer: |q| {
+                in_cells(q, |how| {
+                    how.cell = |cell| vec2(0.0, cell.y);
+                    how.width = |count| vec2(1.0, count.y);
+                })
+            },
         },
         Mistake {
             name: "draws one number for all cells of a column, and one for all of a row",
             hint: "Do the points of a column of cells all have the same x?",
-            answer: |q| {
-                let rng = &mut pcg::stream(22, q.seed.into());
-                let mut numbers = |n: u32| (0..n).map(|_| rng.random()).collect::<Vec<f32>>();
-                let (of_columns, of_rows) = (numbers(q.columns), numbers(q.rows));
-                cells(q, |cell, count, _| {
-                    let u = vec2(of_columns[cell.x as usize], of_rows[cell.y as usize]);
-                    (cell + u) / count
-                })
-            },
+            answer: |q| in_cells(q, |how| how.drawn = [OF_COLUMN, OF_ROW]),
         },
         Mistake {
             name: "crowds the points in the middle of their cells, as the mean of two random numbers does",
             hint: "The mean of two random numbers is seldom near 0 or 1: is every place in a cell as likely as any other?",
-            answer: |q| {
-                cells(q, |cell, count, u| {
-                    (cell + vec2(of_a_tent(u.x), of_a_tent(u.y))) / count
-                })
-            },
+            answer: |q| in_cells(q, |how| how.bend = |u| u.map(of_a_tent)),
         },
         Mistake {
             name: "crowds the points around the middle of their cells, as a normal distribution does",
             hint: "Is a place at the edge of a cell as likely as one in the middle?",
-            answer: |q| cells(q, |cell, count, u| (cell + of_a_bell(u)) / count),
+            answer: |q| in_cells(q, |how| how.bend = of_a_bell),
         },
         Mistake {
             name: "divides by one less than the number of columns and of rows",
             hint: "Where does the last cell end: at 1, or beyond it?",
-            answer: |q| {
-                cells(q, |cell, count, u| {
-                    (cell + u) / (count - 1.0).max(Vec2::ONE)
-                })
-            },
+            answer: |q| in_cells(q, |how| how.count = |count| (count - 1.0).max(Vec2::ONE)),
         },
         Mistake {
             name: "divides the random part along x by the number of rows, and that along y by the number of columns",
             hint: "How wide is a cell, and how high? By how much of that may its point move along each axis?",
-            answer: |q| cells(q, |cell, count, u| cell / count + u / count.yx()),
+            answer: |q| in_cells(q, |how| how.width = |count| count.yx()),
         },
         Mistake {
             name: "chooses places in the lower left quarter of each cell only",
             hint: "Can your point be anywhere in its cell? By how much do your two numbers move it at most?",
-            answer: |q| cells(q, |cell, count, u| (cell + 0.5 * u) / count),
+            answer: |q| in_cells(q, |how| how.bend = |u| 0.5 * u),
         },
     ];
 }

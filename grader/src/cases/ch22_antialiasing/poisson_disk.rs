@@ -2,6 +2,7 @@
 
 use super::points;
 use crate::together::Bounds;
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, together, traits};
 use glam::{UVec2, Vec2, vec2};
 use rand::RngExt;
@@ -32,72 +33,76 @@ const CROWDED: f32 = 0.85;
 const PATIENCE: u32 = 1000;
 const MOST: usize = 2000;
 
-/// Throws darts, each of which `keeps` keeps or not, until `most` in a row are not kept.
-fn throw(q: &PoissonDisk, most: u32, mut keeps: impl FnMut(Vec2) -> bool) {
+/// How points are chosen; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// How far apart points are kept.
+    distance: f32,
+    /// How many darts in a row must miss before it ends.
+    patience: u32,
+    /// No dart is kept that is nearer to an edge of the square than this.
+    border: f32,
+    /// Whether a dart has room among the points before; without it, their distance decides.
+    has_room: Option<fn(dart: Vec2, points: &[Vec2], distance: f32) -> bool>,
+}
+
+/// Darts, rightly but for what is changed.
+fn darts(q: &PoissonDisk, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
+    let well = How {
+        distance: q.distance,
+        patience: PATIENCE,
+        border: 0.0,
+        has_room: None,
+    };
+    let how = changed(well, change);
     let rng = &mut pcg::stream(22, q.seed.into());
-    let (mut kept, mut misses) = (0, 0);
-    while misses < most && kept < MOST {
-        if keeps(vec2(rng.random(), rng.random())) {
-            kept += 1;
+    let (mut near, mut points) = (
+        Neighbours::new(how.distance.into(), Space::Square),
+        Vec::new(),
+    );
+    let mut misses = 0;
+    while misses < how.patience && points.len() < MOST {
+        let dart = vec2(rng.random(), rng.random());
+        let has_room = || match how.has_room {
+            Some(has_room) => has_room(dart, &points, how.distance),
+            None => near.has_room(dart, how.distance.into()),
+        };
+        if dart.min(1.0 - dart).min_element() >= how.border && has_room() {
+            if how.has_room.is_none() {
+                near.push(dart);
+            }
+            points.push(dart);
             misses = 0;
         } else {
             misses += 1;
         }
     }
-}
-
-/// Darts, each kept if `keeps` says so of it and the points before, until a thousand in a row are not.
-fn darts(q: &PoissonDisk, keeps: impl Fn(Vec2, &[Vec2]) -> bool) -> Vec<Vec2> {
-    let mut points = Vec::new();
-    throw(q, PATIENCE, |dart| {
-        let is_kept = keeps(dart, &points);
-        if is_kept {
-            points.push(dart);
-        }
-        is_kept
-    });
     points
 }
 
-/// Darts with a rule for the way from a dart to every other point.
-fn apart(q: &PoissonDisk, far: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
-    darts(q, |p, points| points.iter().all(|o| far(p - *o)))
+/// Whether a dart is far enough from every point, by a rule for the way between them.
+fn is_far(dart: Vec2, points: &[Vec2], is_far: impl Fn(Vec2) -> bool) -> bool {
+    points.iter().all(|point| is_far(dart - *point))
 }
 
-/// Darts at least `distance` apart and where `may_lie` says so, until `most` in a row are not.
-fn spaced(q: &PoissonDisk, distance: f32, most: u32, may_lie: impl Fn(Vec2) -> bool) -> Vec<Vec2> {
-    let mut near = Neighbours::new(distance.into(), Space::Square);
-    throw(q, most, |dart| {
-        let is_kept = may_lie(dart) && near.has_room(dart, distance.into());
-        if is_kept {
-            near.push(dart);
-        }
-        is_kept
-    });
-    near.into_points()
+/// The cell of a grid in which a place is; the diagonal of the cells is the distance.
+fn cell(place: Vec2, distance: f32) -> Vec2 {
+    (place * std::f32::consts::SQRT_2 / distance).floor()
 }
 
-/// Darts that are this distance apart.
-fn apart_by(q: &PoissonDisk, distance: f32) -> Vec<Vec2> {
-    spaced(q, distance, PATIENCE, |_| true)
-}
-
-/// Darts as far apart as asked, until `most` in a row are too near.
-fn impatient(q: &PoissonDisk, most: u32) -> Vec<Vec2> {
-    spaced(q, q.distance, most, |_| true)
-}
-
-/// Darts as far apart as asked, of which none is kept nearer to an edge of the square than `border`.
-fn off_the_border(q: &PoissonDisk, border: f32) -> Vec<Vec2> {
-    let may_lie = |p: Vec2| p.min(1.0 - p).min_element() >= border;
-    spaced(q, q.distance, PATIENCE, may_lie)
+/// Whether a dart has room where of two points in a cell as wide as the distance only the later is remembered.
+fn has_room_beside_the_last(dart: Vec2, points: &[Vec2], distance: f32) -> bool {
+    let cell = |p: Vec2| (p / distance).floor();
+    let is_forgotten = |i: usize| points[i + 1..].iter().any(|o| cell(*o) == cell(points[i]));
+    let mut near = (0..points.len()).filter(|i| dart.distance(points[*i]) < distance);
+    near.all(is_forgotten)
 }
 
 /// Darts as far apart as asked, of which none comes nearer to an edge of the square than `border`. A little is left of the square, however wide its border is.
 fn inside(q: &PoissonDisk, border: f32) -> Vec<Vec2> {
     let border = border.min(0.45);
     let within = |p: Vec2| border + (1.0 - 2.0 * border) * p;
-    let darts = apart_by(q, q.distance / (1.0 - 2.0 * border));
+    let darts = darts(q, |how| how.distance /= 1.0 - 2.0 * border);
     darts.into_iter().map(within).collect()
 }
 
@@ -289,47 +294,57 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "compares the squared distance with the distance",
             hint: "Below 1, a square is smaller than its root: what do you compare with what?",
-            answer: |q| apart_by(q, q.distance.sqrt()),
+            answer: |q| darts(q, |how| how.distance = how.distance.sqrt()),
         },
         Mistake {
             name: "keeps the points only half of the distance apart",
             hint: "How near may two points come: half of the distance, or the whole? What do you compare?",
-            answer: |q| apart_by(q, 0.5 * q.distance),
+            answer: |q| darts(q, |how| how.distance *= 0.5),
         },
         Mistake {
             name: "keeps the points twice the distance apart",
             hint: "How near may two points come: once the distance, or twice?",
-            answer: |q| apart_by(q, 2.0 * q.distance),
+            answer: |q| darts(q, |how| how.distance *= 2.0),
         },
         Mistake {
             name: "compares with the last point only",
             hint: "To which of the points must a new one keep its distance?",
             answer: |q| {
-                darts(q, |p, points| {
-                    points.last().is_none_or(|o| p.distance(*o) >= q.distance) && points.len() < 600
+                darts(q, |how| {
+                    how.has_room = Some(|dart, points, distance| {
+                        let is_far = |last: &Vec2| dart.distance(*last) >= distance;
+                        points.last().is_none_or(is_far) && points.len() < 600
+                    });
                 })
             },
         },
         Mistake {
             name: "adds the distances along x and y",
             hint: "Which figure do the points make that have your distance from a point: a circle?",
-            answer: |q| apart(q, |way| way.abs().element_sum() >= q.distance),
+            answer: |q| {
+                darts(q, |how| {
+                    how.has_room = Some(|dart, points, distance| {
+                        is_far(dart, points, |way| way.abs().element_sum() >= distance)
+                    });
+                })
+            },
         },
         Mistake {
             name: "keeps the points half the distance away from the border",
             hint: "May a point lie on the very edge of the square?",
-            answer: |q| off_the_border(q, 0.5 * q.distance),
+            answer: |q| darts(q, |how| how.border = 0.5 * q.distance),
         },
         Mistake {
             name: "compares with the points in the cells next to its own only, where cells are smaller than the distance",
             hint: "A cell holds one point if its diagonal is the distance: how many cells away may a point be that is too near?",
             answer: |q| {
-                let cell = |p: Vec2| (p * std::f32::consts::SQRT_2 / q.distance).floor();
-                darts(q, |p, points| {
-                    points.iter().all(|o| {
-                        let is_next = (cell(p) - cell(*o)).abs().max_element() <= 1.0;
-                        !is_next || p.distance(*o) >= q.distance
-                    })
+                darts(q, |how| {
+                    how.has_room = Some(|dart, points, distance| {
+                        points.iter().all(|point| {
+                            let cells = cell(dart, distance) - cell(*point, distance);
+                            cells.abs().max_element() > 1.0 || dart.distance(*point) >= distance
+                        })
+                    });
                 })
             },
         },
@@ -338,7 +353,7 @@ impl Graded for PoissonDisk {
             hint: "Look at your points: are there gaps in which another one would have room? How many darts may miss before you stop?",
             answer: |q| {
                 let n = (0.15 / (q.distance * q.distance)).ceil() as usize;
-                let mut points = apart_by(q, q.distance);
+                let mut points = darts(q, |_| ());
                 points.truncate(n);
                 points
             },
@@ -362,61 +377,58 @@ impl Graded for PoissonDisk {
         Mistake {
             name: "remembers one point for each cell, where cells are so wide that two fit in",
             hint: "A cell of which two corners are farther apart than the distance may hold two points: which of them do you still compare with?",
-            answer: |q| {
-                let cell = |p: Vec2| (p / q.distance).floor();
-                darts(q, |p, points| {
-                    let is_forgotten =
-                        |i: usize| points[i + 1..].iter().any(|o| cell(*o) == cell(points[i]));
-                    let mut near =
-                        (0..points.len()).filter(|i| p.distance(points[*i]) < q.distance);
-                    near.all(is_forgotten)
-                })
-            },
+            answer: |q| darts(q, |how| how.has_room = Some(has_room_beside_the_last)),
         },
         Mistake {
             name: "gives up after about three points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
-            answer: |q| impatient(q, 3),
+            answer: |q| darts(q, |how| how.patience = 3),
         },
         Mistake {
             name: "gives up after about five points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
-            answer: |q| impatient(q, 5),
+            answer: |q| darts(q, |how| how.patience = 5),
         },
         Mistake {
             name: "gives up after about ten points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
-            answer: |q| impatient(q, 10),
+            answer: |q| darts(q, |how| how.patience = 10),
         },
         Mistake {
             name: "gives up after about twenty points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
-            answer: |q| impatient(q, 20),
+            answer: |q| darts(q, |how| how.patience = 20),
         },
         Mistake {
             name: "gives up after about thirty points in a row that are too near",
             hint: "Where most of the square is taken, nearly all new points are refused: how many refusals in a row tell that there is no room left?",
-            answer: |q| impatient(q, 30),
+            answer: |q| darts(q, |how| how.patience = 30),
         },
         Mistake {
             name: "keeps the points √2 times the distance apart",
             hint: "How near may two points come: once the distance, or once the diagonal of a square of that side?",
-            answer: |q| apart_by(q, std::f32::consts::SQRT_2 * q.distance),
+            answer: |q| darts(q, |how| how.distance *= std::f32::consts::SQRT_2),
         },
         Mistake {
             name: "refuses a point if one of the steps along x and along y is below the distance",
             hint: "Two points in the same column: how far apart may they be?",
-            answer: |q| apart(q, |way| way.abs().min_element() >= q.distance),
+            answer: |q| {
+                darts(q, |how| {
+                    how.has_room = Some(|dart, points, distance| {
+                        is_far(dart, points, |way| way.abs().min_element() >= distance)
+                    });
+                })
+            },
         },
         Mistake {
             name: "keeps the points the whole distance away from the border",
             hint: "May a point lie on the very edge of the square?",
-            answer: |q| off_the_border(q, q.distance),
+            answer: |q| darts(q, |how| how.border = q.distance),
         },
         Mistake {
             name: "gives up at the first point that is too near",
             hint: "A new point is refused: does that mean that no other one has room?",
-            answer: |q| impatient(q, 1),
+            answer: |q| darts(q, |how| how.patience = 1),
         },
         Mistake {
             name: "puts points on a lattice of squares whose sides are the distance",
@@ -437,8 +449,12 @@ impl Graded for PoissonDisk {
             name: "compares with the point in its own cell only",
             hint: "Two points on the two sides of a cell's edge: how near to each other may they be?",
             answer: |q| {
-                let cell = |p: Vec2| (p * std::f32::consts::SQRT_2 / q.distance).floor();
-                darts(q, |p, points| points.iter().all(|o| cell(p) != cell(*o)))
+                darts(q, |how| {
+                    how.has_room = Some(|dart, points, distance| {
+                        let own = cell(dart, distance);
+                        points.iter().all(|point| own != cell(*point, distance))
+                    });
+                })
             },
         },
     ];

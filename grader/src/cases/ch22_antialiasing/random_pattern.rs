@@ -9,16 +9,14 @@ use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, regular_grid, rows};
 use raybook_workbook::exercises::ch22_antialiasing::RandomPattern;
 
-/// n points, each from two uniform numbers.
+/// n points, each from two numbers, which are those of a right point.
 fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
-    let rng = &mut pcg::stream(22, q.seed.into());
-    let u = (0..q.n).map(|_| vec2(rng.random(), rng.random()));
-    u.map(point).collect()
+    q.right().into_iter().map(point).collect()
 }
 
-/// n points, each from its number and two uniform numbers.
+/// n points, each from its number and two numbers.
 fn along(q: &RandomPattern, point: impl Fn(usize, Vec2) -> Vec2) -> Vec<Vec2> {
-    let all = each(q, |u| u).into_iter().enumerate();
+    let all = q.right().into_iter().enumerate();
     all.map(|(i, u)| point(i, u)).collect()
 }
 
@@ -179,11 +177,8 @@ impl Graded for RandomPattern {
             name: "starts the generator again for every point",
             hint: "How many different points do you have?",
             answer: |q| {
-                let point = || {
-                    let mut rng = pcg::stream(22, q.seed.into());
-                    vec2(rng.random(), rng.random())
-                };
-                (0..q.n).map(|_| point()).collect()
+                let all = q.right();
+                vec![all.first().copied().unwrap_or_default(); all.len()]
             },
         },
         Mistake {
@@ -195,9 +190,9 @@ impl Graded for RandomPattern {
             name: "takes the mean of two random numbers for each coordinate, which crowds in the middle",
             hint: "The sum of two uniform numbers is not uniform: how many of your points are in the middle ninth of the square?",
             answer: |q| {
-                let rng = &mut pcg::stream(22, q.seed.into());
-                let mut half = || 0.5 * (rng.random::<f32>() + rng.random::<f32>());
-                (0..q.n).map(|_| vec2(half(), half())).collect()
+                let twice_as_many = Self::misread(q, |q| q.n *= 2);
+                let twos = twice_as_many.chunks_exact(2);
+                twos.map(|two| two[0].midpoint(two[1])).collect()
             },
         },
         Mistake {
@@ -248,7 +243,7 @@ impl Graded for RandomPattern {
             name: "makes one point too few",
             hint: "Where does your loop begin, and where does it end?",
             answer: |q| {
-                let mut all = each(q, |u| u);
+                let mut all = q.right();
                 all.pop();
                 all
             },

@@ -3,16 +3,16 @@
 mod lattices;
 
 use self::lattices::{
-    about_corner, four_points, half_of_diagonal, half_of_side, inside, inside_before, lattice,
-    moved, turned, within_reach, without_last_step, without_negative, wrapped,
+    before_half_of_side, clockwise, half_of_side, inside_twice, is_inside, lattice, of_a_piece,
+    of_four, points, to_half_of_side, turned, within_half_of_diagonal, within_half_of_side,
 };
-use super::points;
+use super::points::same_places;
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
-use glam::{Vec2, vec2};
+use glam::{Mat2, Vec2, mat2, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use std::cmp::Ordering;
-use std::f32::consts::{FRAC_1_SQRT_2, FRAC_PI_3, FRAC_PI_4, FRAC_PI_6};
+use std::f32::consts::{FRAC_PI_3, FRAC_PI_4, FRAC_PI_6};
 
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
@@ -54,7 +54,7 @@ impl Graded for RotatedGrid {
             let on_edge = |p: &Vec2| of_edge.iter().any(|q| q.distance(*p) < 2.0 * TOLERANCE);
             let golden: Vec<_> = all.iter().copied().filter(surely).collect();
             let got: Vec<_> = got.iter().copied().filter(|p| !on_edge(p)).collect();
-            points::same_places(&golden, &got, TOLERANCE)
+            same_places(&golden, &got, TOLERANCE)
         };
         sense(1.0).or_else(|_| sense(-1.0)).or_else(|_| {
             not_wrapped(q, got)?;
@@ -143,215 +143,231 @@ impl Graded for RotatedGrid {
         Mistake {
             name: "does not rotate",
             hint: "Do two of your points lie side by side, at the same height?",
-            answer: |q| inside(lattice(q, |p| p)),
+            answer: |q| points(q, |how| how.turn = Mat2::IDENTITY),
         },
         Mistake {
             name: "rotates by 45°",
             hint: "An edge at 45° is also common in pictures. Which angle has the tangent ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::splat(FRAC_1_SQRT_2).rotate(p))),
+            answer: |q| points(q, |how| how.turn = Mat2::from_angle(FRAC_PI_4)),
         },
         Mistake {
             name: "takes ½ for the angle",
             hint: "½ is the tangent: what is the angle, in radians?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(0.5).rotate(p))),
+            answer: |q| points(q, |how| how.turn = Mat2::from_angle(0.5)),
         },
         Mistake {
             name: "takes degrees for radians",
             hint: "In which unit does your language's cosine want its angle?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(26.565).rotate(p))),
+            answer: |q| points(q, |how| how.turn = Mat2::from_angle(26.565)),
         },
         Mistake {
             name: "rotates without the root of 5",
             hint: "A right triangle has the sides 2 and 1: how long is its third side? Are your points as far apart as asked?",
-            answer: |q| inside(lattice(q, |p| turned(p, 1.0) * 5.0_f32.sqrt() / 2.0)),
+            answer: |q| points(q, |how| how.turn *= 5.0_f32.sqrt() / 2.0),
         },
         Mistake {
             name: "shears instead of rotating",
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
-            answer: |q| inside(lattice(q, |p| vec2(p.x, p.y + 0.5 * p.x))),
+            answer: |q| points(q, |how| how.turn = mat2(vec2(1.0, 0.5), Vec2::Y)),
         },
         Mistake {
             name: "keeps only four points",
             hint: "A fine lattice has many points in the square: over which i and j do you go?",
-            answer: |q| four_points(q, 1.0),
+            answer: |q| points(q, |how| how.takes = of_four),
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's side, and does not come into its corners",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| within_reach(q, 1.0, half_of_side(q).ceil()),
+            answer: |q| points(q, |how| how.takes = to_half_of_side),
         },
         Mistake {
             name: "takes no negative steps along the lattice",
             hint: "Where i = j = 0 lies the middle: which points lie on the other side of it?",
-            answer: |q| without_negative(q, 1.0),
+            answer: |q| points(q, |how| how.takes = |_, step| step.min_element() >= 0.0),
         },
         Mistake {
             name: "rotates about the corner",
             hint: "Which point of the square stays where it is when you rotate?",
-            answer: |q| about_corner(q, 1.0),
+            answer: |q| points(q, |how| how.centre = -half_of_side(q)),
         },
         Mistake {
             name: "keeps what is outside",
             hint: "Are all your points in the square?",
-            answer: |q| lattice(q, |p| turned(p, 1.0)),
+            answer: |q| points(q, |how| how.keeps = |_, _, _| true),
         },
         Mistake {
             name: "has one sign of the rotation's sines wrong",
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
             answer: |q| {
-                inside(lattice(q, |p| {
-                    vec2(2.0 * p.x + p.y, p.x + 2.0 * p.y) / 5.0_f32.sqrt()
-                }))
+                points(q, |how| {
+                    how.turn = mat2(vec2(2.0, 1.0), vec2(1.0, 2.0)) / 5.0_f32.sqrt()
+                })
             },
         },
         Mistake {
             name: "has both signs of the rotation's sines wrong in the same way",
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
             answer: |q| {
-                inside(lattice(q, |p| {
-                    vec2(2.0 * p.x - p.y, -p.x + 2.0 * p.y) / 5.0_f32.sqrt()
-                }))
+                points(q, |how| {
+                    how.turn = mat2(vec2(2.0, -1.0), vec2(-1.0, 2.0)) / 5.0_f32.sqrt()
+                })
             },
         },
         Mistake {
             name: "takes ½ for the angle (in a lattice turned clockwise)",
             hint: "½ is the tangent: what is the angle, in radians?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-0.5).rotate(p))),
+            answer: |q| clockwise(q, |how| how.turn = Mat2::from_angle(0.5)),
         },
         Mistake {
             name: "adds the offset after the rotation, so that it is not turned with the lattice",
             hint: "Is the offset measured along the lattice, or along the sides of the square?",
-            answer: |q| moved(q, 1.0, q.offset),
+            answer: |q| points(q, |how| (how.offset, how.after) = (Vec2::ZERO, how.offset)),
         },
         Mistake {
             name: "adds the offset after the rotation (in a lattice turned clockwise)",
             hint: "Is the offset measured along the lattice, or along the sides of the square?",
-            answer: |q| moved(q, -1.0, q.offset),
+            answer: |q| clockwise(q, |how| (how.offset, how.after) = (Vec2::ZERO, how.offset)),
         },
         Mistake {
             name: "takes the offset in sides of the square",
             hint: "In which unit is the offset: in spacings, or in sides of the square?",
-            answer: |q| moved(q, 1.0, turned(q.offset / q.spacing, 1.0)),
+            answer: |q| points(q, |how| how.offset /= q.spacing),
         },
         Mistake {
             name: "takes the offset in sides of the square (in a lattice turned clockwise)",
             hint: "In which unit is the offset: in spacings, or in sides of the square?",
-            answer: |q| moved(q, -1.0, turned(q.offset / q.spacing, -1.0)),
+            answer: |q| clockwise(q, |how| how.offset /= q.spacing),
         },
         Mistake {
             name: "adds the offset at last, in sides of the square",
             hint: "In which unit is the offset, and along which axes is it measured?",
-            answer: |q| moved(q, 1.0, q.offset / q.spacing),
+            answer: |q| {
+                points(q, |how| {
+                    (how.offset, how.after) = (Vec2::ZERO, q.offset / q.spacing)
+                })
+            },
         },
         Mistake {
             name: "rotates by 30°",
             hint: "Which angle has the tangent ½, and which angle the sine ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_6).rotate(p))),
+            answer: |q| points(q, |how| how.turn = Mat2::from_angle(FRAC_PI_6)),
         },
         Mistake {
             name: "takes no more steps along the lattice than fit into half of the square's side",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| within_reach(q, 1.0, half_of_side(q).floor()),
+            answer: |q| points(q, |how| how.takes = within_half_of_side),
         },
         Mistake {
             name: "keeps the points that are in the square before the rotation",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: |q| inside_before(q, 1.0),
+            answer: |q| {
+                points(q, |how| {
+                    how.keeps = |half, before, _| is_inside(before, half)
+                })
+            },
         },
         Mistake {
             name: "keeps only the points that are in the square before the rotation and after it",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: |q| inside(inside_before(q, 1.0)),
+            answer: |q| points(q, |how| how.keeps = inside_twice),
         },
         Mistake {
             name: WRAPPED,
             hint: WRAPPED_HINT,
-            answer: wrapped,
+            answer: |q| {
+                points(q, |how| {
+                    (how.takes, how.keeps, how.ends) = (of_a_piece, |_, _, _| true, Vec2::fract_gl)
+                })
+            },
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's side, and does not come into its corners (in a lattice turned clockwise)",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| within_reach(q, -1.0, half_of_side(q).ceil()),
+            answer: |q| clockwise(q, |how| how.takes = to_half_of_side),
         },
         Mistake {
             name: "takes no more steps along the lattice than fit into half of the square's side (in a lattice turned clockwise)",
             hint: "How far is it from the middle of the square to its corners? A lattice that is turned, or moved, must reach further still.",
-            answer: |q| within_reach(q, -1.0, half_of_side(q).floor()),
+            answer: |q| clockwise(q, |how| how.takes = within_half_of_side),
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's side, and leaves out the last of both",
             hint: "Does your loop come to its last number, or does it end before? And how far is it from the middle of the square to its corners?",
-            answer: |q| without_last_step(q, 1.0, half_of_side(q).ceil()),
+            answer: |q| points(q, |how| how.takes = before_half_of_side),
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's side, and leaves out the last of both (in a lattice turned clockwise)",
             hint: "Does your loop come to its last number, or does it end before? And how far is it from the middle of the square to its corners?",
-            answer: |q| without_last_step(q, -1.0, half_of_side(q).ceil()),
+            answer: |q| clockwise(q, |how| how.takes = before_half_of_side),
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's diagonal, and no further for the offset",
             hint: "A lattice that is moved by its offset begins further away on one side: how many steps more must i and j take?",
-            answer: |q| within_reach(q, 1.0, half_of_diagonal(q)),
+            answer: |q| points(q, |how| how.takes = within_half_of_diagonal),
         },
         Mistake {
             name: "lets i and j go only as far as half of the square's diagonal, and no further for the offset (in a lattice turned clockwise)",
             hint: "A lattice that is moved by its offset begins further away on one side: how many steps more must i and j take?",
-            answer: |q| within_reach(q, -1.0, half_of_diagonal(q)),
+            answer: |q| clockwise(q, |how| how.takes = within_half_of_diagonal),
         },
         Mistake {
             name: "takes no negative steps along the lattice (in a lattice turned clockwise)",
             hint: "Where i = j = 0 lies the middle: which points lie on the other side of it?",
-            answer: |q| without_negative(q, -1.0),
+            answer: |q| clockwise(q, |how| how.takes = |_, step| step.min_element() >= 0.0),
         },
         Mistake {
             name: "keeps only four points (in a lattice turned clockwise)",
             hint: "A fine lattice has many points in the square: over which i and j do you go?",
-            answer: |q| four_points(q, -1.0),
+            answer: |q| clockwise(q, |how| how.takes = of_four),
         },
         Mistake {
             name: "rotates about the corner (in a lattice turned clockwise)",
             hint: "Which point of the square stays where it is when you rotate?",
-            answer: |q| about_corner(q, -1.0),
+            answer: |q| clockwise(q, |how| how.centre = -half_of_side(q)),
         },
         Mistake {
             name: "keeps the points that are in the square before the rotation (in a lattice turned clockwise)",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: |q| inside_before(q, -1.0),
+            answer: |q| {
+                clockwise(q, |how| {
+                    how.keeps = |half, before, _| is_inside(before, half)
+                })
+            },
         },
         Mistake {
             name: "keeps only the points that are in the square before the rotation and after it (in a lattice turned clockwise)",
             hint: "Which points must be in the square: the rotated ones, or those before?",
-            answer: |q| inside(inside_before(q, -1.0)),
+            answer: |q| clockwise(q, |how| how.keeps = inside_twice),
         },
         Mistake {
             name: "rotates by 30° (in a lattice turned clockwise)",
             hint: "Which angle has the tangent ½, and which angle the sine ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_6).rotate(p))),
+            answer: |q| clockwise(q, |how| how.turn = Mat2::from_angle(FRAC_PI_6)),
         },
         Mistake {
             name: "rotates by 60°",
             hint: "Which angle has the tangent ½, and which angle the cosine ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(FRAC_PI_3).rotate(p))),
+            answer: |q| points(q, |how| how.turn = Mat2::from_angle(FRAC_PI_3)),
         },
         Mistake {
             name: "rotates by 60° (in a lattice turned clockwise)",
             hint: "Which angle has the tangent ½, and which angle the cosine ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_3).rotate(p))),
+            answer: |q| clockwise(q, |how| how.turn = Mat2::from_angle(FRAC_PI_3)),
         },
         Mistake {
             name: "rotates by 45° (in a lattice turned clockwise)",
             hint: "An edge at 45° is also common in pictures. Which angle has the tangent ½?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-FRAC_PI_4).rotate(p))),
+            answer: |q| clockwise(q, |how| how.turn = Mat2::from_angle(FRAC_PI_4)),
         },
         Mistake {
             name: "takes degrees for radians (in a lattice turned clockwise)",
             hint: "In which unit does your language's cosine want its angle?",
-            answer: |q| inside(lattice(q, |p| Vec2::from_angle(-26.565).rotate(p))),
+            answer: |q| clockwise(q, |how| how.turn = Mat2::from_angle(26.565)),
         },
         Mistake {
             name: "rotates without the root of 5 (in a lattice turned clockwise)",
             hint: "A right triangle has the sides 2 and 1: how long is its third side? Are your points as far apart as asked?",
-            answer: |q| inside(lattice(q, |p| turned(p, -1.0) * 5.0_f32.sqrt() / 2.0)),
+            answer: |q| clockwise(q, |how| how.turn *= 5.0_f32.sqrt() / 2.0),
         },
     ];
 }

@@ -105,6 +105,18 @@ impl<'a, 'e> Traits<'a, 'e> {
         self.distance_among(&all, answers)
     }
 
+    /// The wrong answers to questions in which an explanation changes nothing: it cannot have made them wrong.
+    fn unchanged(&self, answers: &dyn Fn(usize) -> Option<Vec<f64>>) -> Vec<usize> {
+        let evidence = self.evidence;
+        let is_unchanged = |k: &usize| {
+            let item = &evidence.items[*k];
+            let traits = |answer: &[f64]| evidence.examiner.traits(&item.question, answer);
+            let answer = answers(*k).filter(|answer| evidence.is_right(item, answer));
+            answer.is_some_and(|answer| traits(&answer) == traits(item.golden()))
+        };
+        (0..evidence.wrong).filter(is_unchanged).collect()
+    }
+
     /// The same of some of the questions.
     fn distance_among(
         &self,
@@ -193,10 +205,13 @@ pub struct Likely {
     pub is_cause: bool,
     /// Whether next to nothing is left unexplained.
     pub is_near: bool,
+    /// Whether nothing is, and nothing else comes as near. Of two mistakes at once that makes nobody certain before further questions: of many pairs
+    /// one comes near by chance.
+    pub is_alone: bool,
 }
 
 /// All mistakes whose answers have about the traits of the student's: single ones, and two at once where no single one comes near.
-/// Without ways to misread a question, the exercise's own single mistakes only.
+/// Without ways to misread a question, the exercise's own mistakes only.
 fn considered(
     evidence: &Evidence<'_>,
     readings: Option<&[Misreading]>,
@@ -233,31 +248,34 @@ fn considered(
     found.extend(found_of_each(&mistakes, |&(i, (name, hint))| {
         consider(0, name, hint, &|k| evidence.mistaken(i, k))
     }));
-    let Some(readings) = readings else {
-        return found;
-    };
-    let mut made = special::explanations(evidence, &right);
-    made.extend(fit::factors(evidence, &right));
-    made.extend(fit::functions(evidence, &right));
-    found.extend(found_of_each(&made, |one| {
-        let answer = |k: usize| one.answers[k].clone();
-        consider(one.rank, &one.name, &one.hint, &answer)
-    }));
-    found.extend(found_of_each(readings, |reading| {
-        let answer = |k| misread(evidence, reading, k);
-        consider(reading.rank, &reading.name, &reading.hint, &answer)
-    }));
-    // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
-    let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
-    if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
-        let by_steps = each_slip(evidence, &promising(evidence), |slip| {
-            let answer = |k: usize| slip.answer_to(evidence, k);
-            consider(SLIP, &slip.name, &slip.hint, &answer)
-        });
-        found.extend(by_steps.into_iter().flatten());
+    let by_themselves = evidence.are_wrong_by_themselves();
+    if let Some(readings) = readings {
+        let mut made = special::explanations(evidence, &right);
+        made.extend(fit::factors(evidence, &right));
+        made.extend(fit::functions(evidence, &right));
+        found.extend(found_of_each(&made, |one| {
+            let answer = |k: usize| one.answers[k].clone();
+            consider(one.rank, &one.name, &one.hint, &answer)
+        }));
+        found.extend(found_of_each(readings, |reading| {
+            let answer = |k| misread(evidence, reading, k);
+            consider(reading.rank, &reading.name, &reading.hint, &answer)
+        }));
+        // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
+        if !evidence.is_judged()
+            && examiner.limits().effort <= 1
+            && by_themselves
+            && evidence.wrong > 1
+        {
+            let by_steps = each_slip(evidence, &promising(evidence), |slip| {
+                let answer = |k: usize| slip.answer_to(evidence, k);
+                consider(SLIP, &slip.name, &slip.hint, &answer)
+            });
+            found.extend(by_steps.into_iter().flatten());
+        }
     }
     let most = nearest(&found);
-    if by_themselves && most > ALMOST * whole.norm() {
+    if by_themselves && evidence.wrong > 1 && most > ALMOST * whole.norm() {
         let pairs = two(evidence, traits, whole).into_iter();
         found.extend(pairs.filter(|pair| pair.rest < TWICE_AS_NEAR * most));
     }
@@ -265,7 +283,7 @@ fn considered(
 }
 
 /// The mistake whose answers have the same traits as the student's; none if the exercise has none, or no mistake stands out.
-/// Without ways to misread a question, only the exercise's own are considered, one at a time.
+/// Without ways to misread a question, only the exercise's own are considered.
 pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Option<Likely> {
     let examiner = evidence.examiner;
     let traits = Traits::of(evidence)?;
@@ -329,12 +347,19 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     if given < SOME && !stands_out {
         return None;
     }
+    let numbers = [Some(name), then.as_ref().map(|(then, _)| then)].map(|name| own(name?));
+    let unchanged = traits.unchanged(&|k| match numbers {
+        [Some(mistake), None] => evidence.mistaken(mistake, k),
+        [Some(first), Some(second)] => Upon::new(first, second).answer(evidence, k),
+        [None, _] => None,
+    });
+    let explained = evidence.wrong - unchanged.len();
     let one = |name: &str, hint: &str, beside| Diagnosis {
         name: name.to_owned(),
         hint: hint.to_owned(),
         part: None,
         certain: false,
-        explained: evidence.wrong,
+        explained,
         wrong: evidence.wrong,
         further: 0,
         shown: None,
@@ -344,18 +369,26 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     let also = then
         .iter()
         .map(|(name, hint)| one(name, hint, Beside::Together));
+    let rest = evidence.only(&unchanged);
+    let rest = rest.and_then(|rest| search(&rest, readings).filter(|rest| rest.is_cause));
+    let rest = rest.map(|rest| Diagnosis {
+        certain: false,
+        ..rest.diagnosis
+    });
+    let is_alone = unchanged.is_empty()
+        && rivals.next().is_none()
+        && *left < SURE * whole.norm()
+        && (given >= MOST || *left < EXACT * whole.norm());
     let diagnosis = Diagnosis {
-        certain: *rank == 0
-            && rivals.next().is_none()
-            && *left < SURE * whole.norm()
-            && (given >= MOST || *left < EXACT * whole.norm()),
-        also: also.collect(),
+        certain: *rank == 0 && is_alone,
+        also: also.chain(rest).collect(),
         ..one(name, hint, Beside::Apart)
     };
     Some(Likely {
         diagnosis,
         is_cause: *rank <= PAIR,
         is_near,
+        is_alone,
     })
 }
 

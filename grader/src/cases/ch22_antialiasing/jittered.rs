@@ -21,8 +21,14 @@ use std::f32::consts::TAU;
 struct How {
     /// The cell whose two numbers are taken, for each coordinate.
     drawn: [fn(cell: Vec2) -> Vec2; 2],
+    /// Which of these two is taken, for each coordinate.
+    taken: [usize; 2],
     /// What is made of these uniform numbers.
     bend: fn(u: Vec2) -> Vec2,
+    /// From where in its cell a point may be …
+    from: Vec2,
+    /// … to where.
+    to: Vec2,
     /// The column and the row that are taken for those of a cell.
     cell: fn(cell: Vec2) -> Vec2,
     /// What the column and the row are divided by, of the number of cells.
@@ -36,7 +42,10 @@ struct How {
 /// As it should be.
 const WELL: How = How {
     drawn: [|cell| cell; 2],
+    taken: [0, 1],
     bend: |u| u,
+    from: Vec2::ZERO,
+    to: Vec2::ONE,
     cell: |cell| cell,
     count: |count| count,
     width: |count| count,
@@ -60,8 +69,8 @@ fn in_cells(q: &Jittered, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
     let width = (how.width)(count);
     let cells = (0..q.rows).flat_map(|j| (0..q.columns).map(move |i| vec2(i as f32, j as f32)));
     let place = |cell| {
-        let [x, y] = how.drawn.map(|from| drawn[number(from(cell))]);
-        let u = (how.bend)(vec2(x.x, y.y));
+        let [x, y] = [0, 1].map(|axis| drawn[number(how.drawn[axis](cell))][how.taken[axis]]);
+        let u = how.from + (how.to - how.from) * (how.bend)(vec2(x, y));
         (how.ends)((how.cell)(cell) / count + u / width)
     };
     cells.map(place).collect()
@@ -198,7 +207,11 @@ impl Graded for Jittered {
         Mistake {
             name: "takes the cells' middles",
             hint: "Which of your points would be elsewhere with another seed?",
-            answer: |q| in_cells(q, |how| how.bend = |_| Vec2::splat(0.5)),
+            answer: |q| {
+                in_cells(q, |how| {
+                    (how.from, how.to) = (Vec2::splat(0.5), Vec2::splat(0.5))
+                })
+            },
         },
         Mistake {
             name: "puts points anywhere in the square, not one into each cell",
@@ -214,7 +227,7 @@ impl Graded for Jittered {
             hint: "Cell (i, j) begins at (i, j): can your point be before it?",
             answer: |q| {
                 in_cells(q, |how| {
-                    how.bend = |u| u - 0.5;
+                    (how.from, how.to) = (Vec2::splat(-0.5), Vec2::splat(0.5));
                     how.ends = |p| p.max(Vec2::ZERO);
                 })
             },
@@ -237,12 +250,16 @@ impl Graded for Jittered {
         Mistake {
             name: "uses one number for both coordinates",
             hint: "Look at your points in their cells: are all of them on a diagonal?",
-            answer: |q| in_cells(q, |how| how.bend = |u| u.xx()),
+            answer: |q| in_cells(q, |how| how.taken = [0, 0]),
         },
         Mistake {
             name: "jitters by half a cell only",
             hint: "Can your point be anywhere in its cell, near its edges too?",
-            answer: |q| in_cells(q, |how| how.bend = |u| 0.25 + 0.5 * u),
+            answer: |q| {
+                in_cells(q, |how| {
+                    (how.from, how.to) = (Vec2::splat(0.25), Vec2::splat(0.75))
+                })
+            },
         },
         Mistake {
             name: "exchanges columns and rows",
@@ -252,17 +269,21 @@ impl Graded for Jittered {
         Mistake {
             name: "jitters along x only",
             hint: "How many different y have your points in one row of cells?",
-            answer: |q| in_cells(q, |how| how.bend = |u| vec2(u.x, 0.5)),
+            answer: |q| in_cells(q, |how| (how.from.y, how.to.y) = (0.5, 0.5)),
         },
         Mistake {
             name: "jitters along y only",
             hint: "How many different x have your points in one column of cells?",
-            answer: |q| in_cells(q, |how| how.bend = |u| vec2(0.5, u.y)),
+            answer: |q| in_cells(q, |how| (how.from.x, how.to.x) = (0.5, 0.5)),
         },
         Mistake {
             name: "jitters around the cells' corners, and leaves the square",
             hint: "Cell (i, j) begins at (i, j): can your point be before it?",
-            answer: |q| in_cells(q, |how| how.bend = |u| u - 0.5),
+            answer: |q| {
+                in_cells(q, |how| {
+                    (how.from, how.to) = (Vec2::splat(-0.5), Vec2::splat(0.5))
+                })
+            },
         },
         Mistake {
             name: "moves a point by as much as the whole square, not by as much as its cell",
@@ -324,7 +345,7 @@ impl Graded for Jittered {
             hint: "How far is it from a cell's middle to its edge?",
             answer: |q| {
                 in_cells(q, |how| {
-                    how.bend = |u| 2.0 * u - 0.5;
+                    (how.from, how.to) = (Vec2::splat(-0.5), Vec2::splat(1.5));
                     how.ends = |p| p.clamp(Vec2::ZERO, Vec2::splat(1.0 - f32::EPSILON));
                 })
             },
@@ -392,7 +413,7 @@ impl Graded for Jittered {
         Mistake {
             name: "chooses places in the lower left quarter of each cell only",
             hint: "Can your point be anywhere in its cell? By how much do your two numbers move it at most?",
-            answer: |q| in_cells(q, |how| how.bend = |u| 0.5 * u),
+            answer: |q| in_cells(q, |how| how.to *= 0.5),
         },
     ];
 }

@@ -191,6 +191,16 @@ impl Graded for RotatedGrid {
             answer: |q| points(q, |how| how.centre = -half_of_side(q)),
         },
         Mistake {
+            name: "begins the lattice at the square's corner, not in its middle",
+            hint: "Which point of the square has i = j = 0 if there is no offset? What do you add at last?",
+            answer: |q| points(q, |how| how.after -= half_of_side(q)),
+        },
+        Mistake {
+            name: "begins the lattice at the square's corner, not in its middle (in a lattice turned clockwise)",
+            hint: "Which point of the square has i = j = 0 if there is no offset? What do you add at last?",
+            answer: |q| clockwise(q, |how| how.after -= half_of_side(q)),
+        },
+        Mistake {
             name: "keeps what is outside",
             hint: "Are all your points in the square?",
             answer: |q| points(q, |how| how.keeps = |_, _, _| true),

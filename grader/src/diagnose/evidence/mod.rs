@@ -348,6 +348,13 @@ impl<'a> Evidence<'a> {
         })
     }
 
+    /// The same evidence of some of the wrong answers, by their numbers; none if there are none.
+    pub fn only(&self, some: &[usize]) -> Option<Self> {
+        let items = self.items.iter().enumerate();
+        let kept = items.filter(|(i, item)| item.right || some.contains(i));
+        self.keeping(kept.map(|(_, item)| item.clone()).collect())
+    }
+
     /// The same evidence without the wrong answers that an explanation gives; none if it gives all.
     pub fn without(&self, explained: &[Option<Vec<f64>>]) -> Option<Self> {
         let is_left = |(i, item): &(usize, &Item)| {

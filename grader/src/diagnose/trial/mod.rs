@@ -15,6 +15,7 @@ use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use std::collections::BTreeSet;
+use std::iter;
 use suspects::{HALF, Suspect, suspects};
 
 /// Further questions on which the first suspect shows, at most.
@@ -71,7 +72,12 @@ impl<'a> Trial<'a> {
         }
         let evidence = Evidence::new(examiner, cases, answers);
         let rng = &mut visible_rng(&format!("{}, once more", cases.last()?.question));
-        let suspects = suspects(&evidence, told);
+        let mut suspects = suspects(&evidence, told);
+        // Of two that are compared by their traits, none is convicted alone.
+        let are_two = second(told).is_some() && !evidence.is_judged();
+        if are_two && !suspects.iter().any(Suspect::is_two) {
+            suspects.clear();
+        }
         // A guess that is certain is told, unless one of the exercise's own says the same.
         if told.certain && suspects.iter().all(|suspect| suspect.is_guess) {
             return None;
@@ -104,12 +110,12 @@ impl<'a> Trial<'a> {
         // Of all answers together it is known best how estimates scatter.
         let all = self.evidence.and_further(cases, answers);
         if self.suspects.is_empty() {
-            let found = spread::search(&all, None)?.diagnosis;
-            let is_sure = found.certain && found.name == self.told.name;
-            let further = found.explained.checked_sub(self.told.explained)?;
+            let found = spread::search(&all, None)?;
+            let is_sure = found.is_alone && names(&found.diagnosis) == names(self.told);
+            let further = found.diagnosis.explained.checked_sub(self.told.explained)?;
             return is_sure.then(|| Diagnosis {
                 further,
-                ..self.convicted(self.told, None)
+                ..self.convicted(self.told, second(self.told))
             });
         }
         let before = cases.len() - self.cases.len();
@@ -189,6 +195,20 @@ impl<'a> Trial<'a> {
             ..sure(one)
         }
     }
+}
+
+/// The mistake that is told to be made together with it.
+fn second(told: &Diagnosis) -> Option<&Diagnosis> {
+    let mut also = told.also.iter();
+    also.find(|also| also.beside == Beside::Together)
+}
+
+/// The names of the mistakes that are told to be made together, in the order of the alphabet.
+fn names(told: &Diagnosis) -> Vec<&str> {
+    let all = iter::once(told).chain(second(told));
+    let mut names: Vec<_> = all.map(|one| one.name.as_str()).collect();
+    names.sort_unstable();
+    names
 }
 
 /// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,

@@ -119,7 +119,7 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
 /// that chance makes, two of which one undoes half of the other give the same as a third.
 fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
     let examiner = evidence.examiner;
-    if !evidence.is_judged() {
+    if !evidence.is_judged() && !evidence.is_rough() {
         return Vec::new();
     }
     let upon = |first, second| -> Answer<'a> {

@@ -82,7 +82,7 @@ impl Graded for VertexNormals {
         Mistake {
             name: "points inwards",
             hint: "Counter-clockwise seen from outside: e1 × e2 or e2 × e1?",
-            answer: |q| averaged(q, |how| how.vector = |corners, _| -across(corners)),
+            answer: |q| averaged(q, |how| how.side = |vector| -vector),
         },
         Mistake {
             name: "keeps the last triangle's normal only",
@@ -374,10 +374,7 @@ impl Graded for VertexNormals {
             hint: "It is the order of the corners that decides which side is outside, not the world.",
             answer: |q| {
                 averaged(q, |how| {
-                    how.vector = |corners, _| {
-                        let across = across(corners);
-                        if across.y < 0.0 { -across } else { across }
-                    }
+                    how.side = |vector| if vector.y < 0.0 { -vector } else { vector };
                 })
             },
         },
@@ -479,6 +476,8 @@ struct How {
     taken: fn(&[Indices]) -> &[Indices],
     /// What a triangle with these `corners` adds to corner `k` of them.
     vector: fn(corners: [Vec3; 3], k: usize) -> Vec3,
+    /// The same on the side to which it points.
+    side: fn(vector: Vec3) -> Vec3,
     /// The share of it that each corner gets.
     shares: [f32; 3],
     /// What a vertex has next that has `so_far`, of `before` triangles, when another one adds its `vector`.
@@ -491,6 +490,7 @@ struct How {
 const WELL: How = How {
     taken: |all| all,
     vector: |corners, _| across(corners),
+    side: |vector| vector,
     shares: [1.0; 3],
     add: |sum, vector, _| sum + vector,
     normal: |sum, _| sum.normalize_or(Vec3::Y),
@@ -504,7 +504,7 @@ fn averaged(q: &VertexNormals, change: impl FnOnce(&mut How)) -> Vec<Vec3> {
         let vertices = [triangle.a, triangle.b, triangle.c].into_iter();
         for (k, (vertex, share)) in vertices.zip(how.shares).enumerate() {
             if share != 0.0 {
-                let vector = share * (how.vector)(corners(q, triangle), k);
+                let vector = share * (how.side)((how.vector)(corners(q, triangle), k));
                 let (sum, count) = &mut so_far[vertex as usize];
                 *sum = (how.add)(*sum, vector, *count);
                 *count += 1.0;

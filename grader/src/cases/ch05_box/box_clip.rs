@@ -3,10 +3,7 @@
 mod clips;
 
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use clips::{
-    between, crossed, faces_crossed, finish, folded, folded_from, of_different_axes, of_last_axis,
-    ordered_by, overlap, slab, slabs, unswapped,
-};
+use clips::{Parallel, clipped, crossings, is_edge, once_at_edges, overlap, unless_alone, whole};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -74,38 +71,51 @@ impl Graded for BoxClip {
         Mistake {
             name: "does not swap the planes for a negative direction",
             hint: "A ray that goes left meets the right side first.",
-            answer: |q| slabs(q, |near, far, _| (near, far), |min, max| min <= max),
+            answer: |q| {
+                clipped(q, |how| {
+                    how.swapped_by = [None; 3];
+                    how.parallel = Parallel::Divided;
+                    how.is_left = |part| part.min <= part.max;
+                })
+            },
         },
         Mistake {
             name: "keeps the union of the slabs, not their overlap",
             hint: "To be inside the box, the ray must be inside all three slabs at once: is that the earliest entry or the latest?",
             answer: |q| {
-                let all = (0..3)
-                    .map(|axis| slab(q, axis))
-                    .reduce(|a, b| (a.0.min(b.0), a.1.max(b.1)))?;
-                finish(all.0.max(q.within.min), all.1.min(q.within.max))
+                clipped(q, |how| {
+                    how.parallel = Parallel::Divided;
+                    how.start = |_| Interval::new(f32::INFINITY, f32::NEG_INFINITY);
+                    how.enter = |entry, near, _| entry.min(near);
+                    how.leave = |exit, far, _| exit.max(far);
+                    how.is_cut_at_end = true;
+                })
             },
         },
         Mistake {
             name: "keeps the earliest of the entries",
             hint: "At the first plane that the ray meets, is it inside the other two slabs already?",
-            answer: |q| folded(q, f32::min, f32::min),
+            answer: |q| {
+                clipped(q, |how| {
+                    how.enter = |entry, near, _| entry.min(near);
+                    how.parallel = Parallel::Divided;
+                })
+            },
         },
         Mistake {
             name: "keeps the latest of the exits",
             hint: "Once the ray has left one slab, is it still in the box?",
-            answer: |q| folded(q, f32::max, f32::max),
+            answer: |q| {
+                clipped(q, |how| {
+                    how.leave = |exit, far, _| exit.max(far);
+                    how.parallel = Parallel::Divided;
+                })
+            },
         },
         Mistake {
             name: "keeps the latest of the exits, and has a case of its own for a parallel ray",
             hint: "Once the ray has left one slab, is it still in the box?",
-            answer: |q| {
-                folded_from(
-                    q,
-                    |entry, near, _| entry.max(near),
-                    |exit, far, _| exit.max(far),
-                )
-            },
+            answer: |q| clipped(q, |how| how.leave = |exit, far, _| exit.max(far)),
         },
         Mistake {
             name: "misses a ray that runs in a face: by 0/0, or by < instead of ≤",
@@ -122,23 +132,17 @@ impl Graded for BoxClip {
             name: "lets a comparison with NaN decide where a ray runs in a face",
             hint: "In a face, one of the slab's two distances is 0/0, which is NaN: which of two numbers do your comparisons, or the least and the greatest of two vectors, take if one is NaN?",
             answer: |q| {
-                let order = |a, b, _| (if a < b { a } else { b }, if a > b { a } else { b });
-                slabs(q, order, |min, max| min <= max)
+                clipped(q, |how| {
+                    how.order = |a, b, _| (if a < b { a } else { b }, if a > b { a } else { b });
+                    how.parallel = Parallel::Divided;
+                    how.is_left = |part| part.min <= part.max;
+                })
             },
         },
         Mistake {
             name: "skips an axis along which the ray does not move",
             hint: "A ray parallel to a slab is inside it always, or never: which?",
-            answer: |q| {
-                let moving = (0..3)
-                    .filter(|&axis| q.ray.direction[axis] != 0.0)
-                    .map(|axis| slab(q, axis));
-                let (min, max) = moving
-                    .fold((q.within.min, q.within.max), |(min, max), (near, far)| {
-                        (min.max(near), max.min(far))
-                    });
-                finish(min, max)
-            },
+            answer: |q| clipped(q, |how| how.parallel = Parallel::Skipped),
         },
         Mistake {
             name: "ignores the interval",
@@ -149,7 +153,8 @@ impl Graded for BoxClip {
             name: "finds nothing if the ray starts inside the box",
             hint: "Put the origin inside the box: on which part of the ray is it inside?",
             answer: |q| {
-                BoxClip::right(q).filter(|_| (0..3).any(|axis| slab(q, axis).0 >= q.within.min))
+                let starts_outside = whole(q)?.min >= q.within.min;
+                Self::right(q).filter(|_| starts_outside)
             },
         },
         Mistake {
@@ -191,26 +196,30 @@ impl Graded for BoxClip {
             name: "keeps the union of the slabs and the interval, not their overlap",
             hint: "To be inside the box, the ray must be inside all three slabs and in the interval at once: is that the earliest entry or the latest?",
             answer: |q| {
-                let slabs = crossed(q)?.into_iter();
-                let (min, max) = slabs.fold(
-                    (q.within.min, q.within.max),
-                    |(min, max), (_, (near, far))| (min.min(near), max.max(far)),
-                );
-                finish(min, max)
+                clipped(q, |how| {
+                    how.enter = |entry, near, _| entry.min(near);
+                    how.leave = |exit, far, _| exit.max(far);
+                })
             },
         },
         Mistake {
             name: "asks whether the interval overlaps the box, but does not cut the answer to the interval",
             hint: "You are asked for a part of the interval: may your answer begin before min, or end behind max?",
             answer: |q| {
-                let whole = Self::misread(q, |q| q.within = sample::LINE);
-                whole.filter(|part| part.max >= q.within.min && part.min <= q.within.max)
+                whole(q).filter(|part| part.max >= q.within.min && part.min <= q.within.max)
             },
         },
         Mistake {
             name: "keeps the entry and the exit of the last axis only",
             hint: "The ray is inside the box once it has entered all three slabs: do you keep the latest entry, or the last one that you calculate?",
-            answer: of_last_axis,
+            answer: |q| {
+                clipped(q, |how| {
+                    how.check = |_, part, slab| overlap(part, slab).is_some();
+                    how.enter = |_, near, _| near;
+                    how.leave = |_, far, _| far;
+                    how.is_cut_at_end = true;
+                })
+            },
         },
         Mistake {
             name: "gives up a box that lies behind the ray's origin",
@@ -221,9 +230,9 @@ impl Graded for BoxClip {
             name: "returns the exit twice where the interval begins inside the box",
             hint: "Put the origin inside the box: on which part of the ray is it inside?",
             answer: |q| {
-                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
+                let begins_inside = whole(q)?.min < q.within.min;
                 Self::right(q).map(|part| {
-                    if whole.min < q.within.min {
+                    if begins_inside {
                         Interval::new(part.max, part.max)
                     } else {
                         part
@@ -235,39 +244,32 @@ impl Graded for BoxClip {
             name: "takes 0 for 1/0, and so has both planes of a parallel slab at the distance 0",
             hint: "A ray that is parallel to a slab never meets its planes: how far away should they be?",
             answer: |q| {
-                let order = |a: f32, b: f32, d: f32| {
-                    if d == 0.0 {
-                        (0.0, 0.0)
-                    } else {
-                        (a.min(b), a.max(b))
-                    }
-                };
-                slabs(q, order, |min, max| min <= max)
+                clipped(q, |how| {
+                    how.distance = |way, d| if d == 0.0 { 0.0 } else { way / d };
+                    how.parallel = Parallel::Divided;
+                })
             },
         },
         Mistake {
             name: "decides by the sign of the direction's x which plane comes first along all axes",
             hint: "A ray may go to the right and down: which plane of each axis does it meet first?",
-            answer: |q| ordered_by(q, [0, 0, 0]),
+            answer: |q| clipped(q, |how| how.swapped_by = [Some(0); 3]),
         },
         Mistake {
             name: "takes the greatest corner for the box's size, and adds it to the least",
             hint: "Which planes has the box along x: those of its two corners, or others?",
             answer: |q| {
-                let wider = BoxClip {
-                    max: q.min + q.max,
-                    ..q.clone()
-                };
-                let sorted = |(_, (a, b)): (usize, (f32, f32))| (a.min(b), a.max(b));
-                overlap(q, crossed(&wider)?.into_iter().map(sorted))
+                clipped(q, |how| {
+                    how.planes = |q, axis| [q.min[axis], q.min[axis] + q.max[axis]];
+                    how.order = |a, b, _| (a.min(b), a.max(b));
+                })
             },
         },
         Mistake {
             name: "wants the box's whole chord in the interval",
             hint: "You are asked for a part of the interval: what if the interval begins or ends inside the box?",
             answer: |q| {
-                let whole = Self::misread(q, |q| q.within = sample::LINE);
-                whole.filter(|part| part.min >= q.within.min && part.max <= q.within.max)
+                whole(q).filter(|part| part.min >= q.within.min && part.max <= q.within.max)
             },
         },
         Mistake {
@@ -278,97 +280,88 @@ impl Graded for BoxClip {
         Mistake {
             name: "moves the exit along an axis only if it does not move the entry there (else if)",
             hint: "The box is entered and left along each axis: may one axis move both ends?",
-            answer: |q| {
-                let Interval { mut min, mut max } = q.within;
-                for (_, (near, far)) in crossed(q)? {
-                    if near > min {
-                        min = near;
-                    } else if far < max {
-                        max = far;
-                    }
-                }
-                finish(min, max)
-            },
+            answer: |q| clipped(q, |how| how.is_either = true),
         },
         Mistake {
             name: "skips an axis if the ray begins between its two planes",
             hint: "The ray begins inside, and never leaves in your program: which axes do you ask?",
             answer: |q| {
-                let begins_outside =
-                    |axis: usize| !(q.min[axis]..=q.max[axis]).contains(&q.ray.origin[axis]);
-                let asked = crossed(q)?
-                    .into_iter()
-                    .filter(|(axis, _)| begins_outside(*axis));
-                overlap(q, asked.map(|(_, part)| part))
+                Self::misread(q, |q| {
+                    for axis in 0..3 {
+                        if (q.min[axis]..=q.max[axis]).contains(&q.ray.origin[axis]) {
+                            (q.min[axis], q.max[axis]) = (f32::NEG_INFINITY, f32::INFINITY);
+                        }
+                    }
+                })
             },
         },
         Mistake {
             name: "orders z's planes by the sign of the direction's y, or y's by that of its z",
             hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
-            answer: |q| ordered_by(q, [0, 1, 1]),
+            answer: |q| clipped(q, |how| how.swapped_by[2] = Some(1)),
         },
         Mistake {
             name: "orders y's planes by the sign of the direction's x, or x's by that of its y",
             hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
-            answer: |q| ordered_by(q, [0, 0, 2]),
+            answer: |q| clipped(q, |how| how.swapped_by[1] = Some(0)),
         },
         Mistake {
             name: "orders z's planes by the sign of the direction's x, or x's by that of its z",
             hint: "Which component of the direction tells which plane across an axis comes first? Was a line copied?",
-            answer: |q| ordered_by(q, [0, 1, 0]),
+            answer: |q| clipped(q, |how| how.swapped_by[2] = Some(0)),
         },
         Mistake {
             name: "does not cut the answer off at the interval's max",
             hint: "You are asked for a part of the interval: may your answer end behind max?",
             answer: |q| {
-                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
-                let Interval { min, .. } = Self::right(q)?;
-                Some(Interval { min, ..whole })
+                let Interval { max, .. } = whole(q)?;
+                Self::right(q).map(|part| Interval { max, ..part })
             },
         },
         Mistake {
             name: "does not cut the answer off at the interval's min",
             hint: "You are asked for a part of the interval: may your answer begin before min?",
             answer: |q| {
-                let whole = Self::misread(q, |q| q.within = sample::LINE)?;
-                let Interval { max, .. } = Self::right(q)?;
-                Some(Interval { max, ..whole })
+                let Interval { min, .. } = whole(q)?;
+                Self::right(q).map(|part| Interval { min, ..part })
             },
         },
         Mistake {
             name: "takes a face that is crossed alone in the interval for the exit, even where the interval ends inside",
             hint: "The interval ends inside the box: which face does the ray cross before, the one of the entry or of the exit?",
             answer: |q| {
-                let hits = of_different_axes(&faces_crossed(q));
-                between(q, &hits, |q, t| (f64::from(q.within.min), t))
+                unless_alone(q, &once_at_edges(crossings(q)), |q, t| Interval {
+                    max: t,
+                    ..q.within
+                })
             },
         },
         Mistake {
             name: "takes a face that is crossed alone in the interval for the exit, and an edge for the entry and the exit",
             hint: "An edge is crossed: by how many faces at once, and does the ray enter there, leave, or both?",
             answer: |q| {
-                let hits = faces_crossed(q);
-                between(q, &hits, |q, t| (f64::from(q.within.min), t))
+                unless_alone(q, &crossings(q), |q, t| {
+                    let min = if is_edge(q, t) { t } else { q.within.min };
+                    Interval::new(min, t)
+                })
             },
         },
         Mistake {
             name: "takes a face that is crossed alone in the interval for the entry, even where the interval begins inside",
             hint: "The interval begins inside the box: which face does the ray cross after that, the one of the entry or of the exit?",
             answer: |q| {
-                let hits = of_different_axes(&faces_crossed(q));
-                between(q, &hits, |q, t| (t, f64::from(q.within.max)))
+                unless_alone(q, &once_at_edges(crossings(q)), |q, t| Interval {
+                    min: t,
+                    ..q.within
+                })
             },
         },
         Mistake {
             name: "returns the first and the last face that is crossed in the interval, also where that is only one",
             hint: "The interval begins or ends inside the box: how many faces does the ray cross in it, and where does your part begin and end?",
             answer: |q| {
-                let hits = faces_crossed(q);
-                let first = hits.first()?.1;
-                let ends =
-                    |(min, max): (f64, f64), (_, t): &(usize, f64)| (min.min(*t), max.max(*t));
-                let (min, max) = hits.iter().fold((first, first), ends);
-                finish(min as f32, max as f32)
+                let crossings = crossings(q);
+                Some(Interval::new(*crossings.first()?, *crossings.last()?))
             },
         },
         Mistake {
@@ -385,39 +378,31 @@ impl Graded for BoxClip {
         Mistake {
             name: "does not swap the planes for a negative direction, and has a case of its own for a parallel ray",
             hint: "A ray that goes left meets the right side first: which of your two distances is the entry then?",
-            answer: |q| unswapped(q, 0..3),
+            answer: |q| clipped(q, |how| how.swapped_by = [None; 3]),
         },
         Mistake {
             name: "does not swap the planes for a negative direction along x",
             hint: "A ray that goes left meets the right side first: which of your two distances is the entry then?",
-            answer: |q| unswapped(q, 0..1),
+            answer: |q| clipped(q, |how| how.swapped_by[0] = None),
         },
         Mistake {
             name: "does not swap the planes for a negative direction along y",
             hint: "A ray that goes down meets the upper side first: which of your two distances is the entry then?",
-            answer: |q| unswapped(q, 1..2),
+            answer: |q| clipped(q, |how| how.swapped_by[1] = None),
         },
         Mistake {
             name: "does not swap the planes for a negative direction along z",
             hint: "A ray that goes against z meets the side of greater z first: which of your two distances is the entry then?",
-            answer: |q| unswapped(q, 2..3),
+            answer: |q| clipped(q, |how| how.swapped_by[2] = None),
         },
         Mistake {
             name: "does not ask whether anything is left after the last axis",
             hint: "A ray passes above the box: when does your loop ask whether the end is before the beginning, and how often?",
             answer: |q| {
-                let parts = crossed(q)?;
-                let is_last = |axis: usize| axis == 2;
-                let part =
-                    |min: f32, max: f32, (near, far): (f32, f32)| (min.max(near), max.min(far));
-                let (mut min, mut max) = (q.within.min, q.within.max);
-                for (axis, slab) in parts {
-                    (min, max) = part(min, max, slab);
-                    if max < min && !is_last(axis) {
-                        return None;
-                    }
-                }
-                Some(Interval { min, max })
+                clipped(q, |how| {
+                    how.check = |axis, part, slab| axis == 2 || overlap(part, slab).is_some();
+                    how.is_left = |_| true;
+                })
             },
         },
         Mistake {
@@ -433,18 +418,12 @@ impl Graded for BoxClip {
         Mistake {
             name: "keeps the entry of the last axis only, or the interval's min if that is later",
             hint: "The ray is in the box where it is in all three slabs: which of the three entries counts?",
-            answer: |q| {
-                folded_from(
-                    q,
-                    |_, near, start| near.max(start),
-                    |max, far, _| max.min(far),
-                )
-            },
+            answer: |q| clipped(q, |how| how.enter = |_, near, start| near.max(start)),
         },
         Mistake {
             name: "keeps the exit of the last axis only, or the interval's max if that is earlier",
             hint: "The ray is in the box where it is in all three slabs: which of the three exits counts?",
-            answer: |q| folded_from(q, |min, near, _| min.max(near), |_, far, end| far.min(end)),
+            answer: |q| clipped(q, |how| how.leave = |_, far, end| far.min(end)),
         },
     ];
 

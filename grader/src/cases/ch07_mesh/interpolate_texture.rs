@@ -2,7 +2,7 @@
 
 use super::{nearest_corner, place};
 use crate::{Graded, Mistake, Verdict, judge, sample};
-use glam::{Vec2, vec2};
+use glam::{Vec2, Vec2Swizzles, vec2};
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch07_mesh::InterpolateTexture;
 
@@ -35,22 +35,17 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "gives the weights to the wrong corners",
             hint: "At b1 = b2 = 0, whose coordinates do you return?",
-            answer: |q| q.b.x * q.t0 + q.b.y * q.t1 + (1.0 - q.b.x - q.b.y) * q.t2,
+            answer: |q| Self::misread(q, |q| (q.t0, q.t1, q.t2) = (q.t2, q.t0, q.t1)),
         },
         Mistake {
             name: "swaps b1 and b2",
             hint: "At b1 = 1, whose coordinates do you return?",
-            answer: |q| (1.0 - q.b.x - q.b.y) * q.t0 + q.b.y * q.t1 + q.b.x * q.t2,
+            answer: |q| Self::misread(q, |q| q.b = q.b.yx()),
         },
         Mistake {
             name: "swaps u and v",
             hint: "Which of the two coordinates comes first?",
-            answer: |q| {
-                vec2(
-                    InterpolateTexture::right(q).y,
-                    InterpolateTexture::right(q).x,
-                )
-            },
+            answer: |q| Self::right(q).yx(),
         },
         Mistake {
             name: "normalises the coordinates as if they were a direction",
@@ -65,7 +60,7 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "returns (b1, b2)",
             hint: "b1 and b2 say where the point is in the triangle: where is the point in the texture?",
-            answer: |q| q.b,
+            answer: |q| Self::misread(q, |q| (q.t0, q.t1, q.t2) = (Vec2::ZERO, Vec2::X, Vec2::Y)),
         },
         Mistake {
             name: "gives the first corner the weight 1",
@@ -80,22 +75,30 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "takes the mean of the three corners' coordinates, wherever the point is",
             hint: "Move the point towards a corner: the coordinates should move towards that corner's.",
-            answer: |q| (q.t0 + q.t1 + q.t2) / 3.0,
+            answer: |q| Self::misread(q, |q| q.b = Vec2::splat(1.0 / 3.0)),
         },
         Mistake {
             name: "returns the coordinates of the nearest corner, the one of the largest weight",
             hint: "Move the point a little: do the coordinates change a little, or do they jump?",
-            answer: |q| [q.t0, q.t1, q.t2][nearest_corner(q.b)],
+            answer: |q| {
+                let corners = [Vec2::ZERO, Vec2::X, Vec2::Y];
+                Self::misread(q, |q| q.b = corners[nearest_corner(q.b)])
+            },
         },
         Mistake {
             name: "goes along u by b1 alone, and along v by b2 alone",
             hint: "Each corner has both coordinates: does the third corner's u count nowhere?",
-            answer: |q| q.t0 + q.b * vec2(q.t1.x - q.t0.x, q.t2.y - q.t0.y),
+            answer: |q| Self::misread(q, |q| (q.t1.y, q.t2.x) = (q.t0.y, q.t0.x)),
         },
         Mistake {
             name: "goes from the first corner to the second by b1 along u, and by b2 along v",
             hint: "Three corners, each with both coordinates: where does the third corner come in?",
-            answer: |q| q.t0 + q.b * (q.t1 - q.t0),
+            answer: |q| {
+                Self::misread(q, |q| {
+                    q.t2 = vec2(q.t0.x, q.t1.y);
+                    q.t1.y = q.t0.y;
+                })
+            },
         },
         Mistake {
             name: "forgets t0 in t0 + b1·(t1 − t0) + b2·(t2 − t0)",
@@ -105,7 +108,7 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "goes by b2 from the second corner to the third, not from the first",
             hint: "At b2 = 1, whose coordinates do you return?",
-            answer: |q| q.t0 + q.b.x * (q.t1 - q.t0) + q.b.y * (q.t2 - q.t1),
+            answer: |q| Self::misread(q, |q| q.t2 += q.t0 - q.t1),
         },
         Mistake {
             name: "leaves b1 out of the first corner's weight",
@@ -115,7 +118,7 @@ impl Graded for InterpolateTexture {
         Mistake {
             name: "blends the first two corners by b1, and the result with the third by b2",
             hint: "At b1 = b2 = ½ the point lies half way between the second corner and the third: which weights have your three corners there?",
-            answer: |q| q.t0.lerp(q.t1, q.b.x).lerp(q.t2, q.b.y),
+            answer: |q| Self::misread(q, |q| q.b.x *= 1.0 - q.b.y),
         },
         Mistake {
             name: "takes (1 − b1)(1 − b2) for the first corner's weight, as on a square",

@@ -6,13 +6,12 @@ mod points;
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, sample};
 use glam::{UVec3, Vec3, uvec3, vec3};
 use overlaps::{
-    along_x, along_z, around, cuts_an_edge, in_rows, is_parted_by_edges, kept, of_lattice,
-    plane_cuts, shifted, up_to_a_miss, whole, with_margins,
+    an_edge_passes, around, bare, corners, cuts_an_edge, found, no_edge_parts, normal, plane_cuts,
 };
-use points::{BETWEEN, of_middle, of_points};
+use points::{BETWEEN, hold_a_corner, hold_a_point, hold_the_middle};
 use rand::RngExt;
 use raybook::inside::grid::{self, triangle_meets_box};
-use raybook::math::{aabb::Aabb, interval::Interval, pcg::Pcg, slab};
+use raybook::math::{aabb::Aabb, pcg::Pcg};
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
 impl Graded for VoxelsOfTriangle {
@@ -136,60 +135,40 @@ impl Graded for VoxelsOfTriangle {
         Mistake {
             name: "takes all cells of the bounding box",
             hint: "A large slanting triangle has a large bounding box: is it everywhere in it?",
-            answer: |q| kept(q, |_, _| true),
+            answer: |q| around(q, |how| how.meets = |_, _| true),
         },
         Mistake {
             name: "takes all cells",
             hint: "Which condition keeps a cell off the list, and when is it false?",
-            answer: |q| {
-                let all = (0..q.nz).flat_map(|z| {
-                    (0..q.ny).flat_map(move |y| (0..q.nx).map(move |x| Cell::from(uvec3(x, y, z))))
-                });
-                all.collect()
-            },
+            answer: |q| found(q, |how| how.meets = |_, _| true),
         },
         Mistake {
             name: "takes only the cells that hold a corner",
             hint: "What if the triangle is larger than a cell?",
-            answer: |q| {
-                kept(q, |bounds, corners| {
-                    corners.iter().any(|&p| bounds.grown(q.margin).contains(p))
-                })
-            },
+            answer: |q| found(q, |how| how.meets = hold_a_corner),
         },
         Mistake {
             name: "takes all cells of the bounding box that the triangle's plane cuts",
             hint: "The plane goes on beyond the triangle's edges: along which directions can you tell that a box lies past an edge?",
-            answer: |q| {
-                kept(q, |bounds, corners| {
-                    plane_cuts(&bounds.grown(q.margin), corners)
-                })
-            },
+            answer: |q| around(q, |how| how.meets = plane_cuts),
         },
         Mistake {
             name: "takes only cells whose centre is near the triangle's plane",
             hint: "How far from its centre does a box reach along the triangle's normal: to a face, or to a corner?",
             answer: |q| {
-                let all = VoxelsOfTriangle::right(q);
-                let n = (q.p1 - q.p0).cross(q.p2 - q.p0).normalize_or_zero();
+                let n = normal(q).normalize_or_zero();
                 let near = |cell: &Cell| {
                     let center =
                         q.min + (vec3(cell.x as f32, cell.y as f32, cell.z as f32) + 0.5) * q.cell;
                     n.dot(center - q.p0).abs() <= 0.5 * q.cell.min_element()
                 };
-                all.into_iter().filter(near).collect()
+                Self::right(q).into_iter().filter(near).collect()
             },
         },
         Mistake {
             name: "takes a cell for twice as large as it is",
             hint: "A box reaches from its centre by half of its size along each axis: what do you add up along the normal and along each cross product?",
-            answer: |q| {
-                kept(q, |bounds, corners| {
-                    let half = 0.5 * bounds.size();
-                    let around = Aabb::new(bounds.min - half, bounds.max + half).grown(q.margin);
-                    triangle_meets_box(&corners, &around)
-                })
-            },
+            answer: |q| around(q, |how| how.growth = 0.5),
         },
         Mistake {
             name: "forgets the margin",
@@ -229,206 +208,186 @@ impl Graded for VoxelsOfTriangle {
         Mistake {
             name: "adds the margin along x only",
             hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
-            answer: |q| with_margins(q, Vec3::X),
+            answer: |q| found(q, |how| how.margin = |q| q.margin * Vec3::X),
         },
         Mistake {
             name: "adds the margin along y only",
             hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
-            answer: |q| with_margins(q, Vec3::Y),
+            answer: |q| found(q, |how| how.margin = |q| q.margin * Vec3::Y),
         },
         Mistake {
             name: "adds the margin along z only",
             hint: "A cell reaches farther by the margin to all sides: along which axes does yours?",
-            answer: |q| with_margins(q, Vec3::Z),
+            answer: |q| found(q, |how| how.margin = |q| q.margin * Vec3::Z),
         },
         Mistake {
             name: "takes only the cells that hold a corner, and forgets the margin",
             hint: "What if the triangle is larger than a cell?",
-            answer: |q| {
-                kept(q, |bounds, corners| {
-                    corners.iter().any(|&p| bounds.contains(p))
-                })
-            },
+            answer: |q| bare(q, |how| how.meets = hold_a_corner),
         },
         Mistake {
             name: "takes a cell's least corner for its middle",
             hint: "A cell begins at min + i·cell: where is its middle?",
-            answer: |q| shifted(q, -0.5),
+            answer: |q| found(q, |how| how.shift = -0.5),
         },
         Mistake {
             name: "takes a cell's greatest corner for its middle",
             hint: "A cell begins at min + i·cell: where is its middle?",
-            answer: |q| shifted(q, 0.5),
+            answer: |q| found(q, |how| how.shift = 0.5),
         },
         Mistake {
             name: "never asks for the plane in which the triangle lies",
             hint: "A cell may lie above the middle of a large triangle: which direction parts the two?",
-            answer: |q| {
-                kept(q, |bounds, corners| {
-                    !is_parted_by_edges(corners, &bounds.grown(q.margin))
-                })
-            },
+            answer: |q| around(q, |how| how.meets = no_edge_parts),
         },
         Mistake {
             name: "takes all cells of the lattice that the triangle's plane cuts",
             hint: "The plane goes on beyond the triangle: how far is a cell from the triangle's own bounding box?",
-            answer: |q| {
-                of_lattice(q, |bounds, corners| {
-                    plane_cuts(&bounds.grown(q.margin), corners)
-                })
-            },
+            answer: |q| found(q, |how| how.meets = plane_cuts),
         },
         Mistake {
             name: "asks only for the directions across an edge and an axis",
             hint: "A triangle and a cell may lie one behind the other along x, or on both sides of the triangle's plane: which directions do you have to try beside the nine?",
-            answer: |q| {
-                of_lattice(q, |bounds, corners| {
-                    !is_parted_by_edges(corners, &bounds.grown(q.margin))
-                })
-            },
+            answer: |q| found(q, |how| how.meets = no_edge_parts),
         },
         Mistake {
             name: "takes all cells that a piece of the triangle's plane within its bounding box cuts, and forgets the margin",
             hint: "The plane goes on beyond the triangle's edges, and a cell beyond its own planes: how far?",
             answer: |q| {
-                let without = Self {
-                    margin: 0.0,
-                    ..q.clone()
-                };
-                kept(&without, |bounds, corners| plane_cuts(&bounds, corners))
+                around(q, |how| {
+                    how.meets = plane_cuts;
+                    how.margin = |_| Vec3::ZERO;
+                })
             },
         },
         Mistake {
             name: "takes only the cells through which an edge of the triangle passes",
             hint: "A triangle may be much larger than a cell: which cells are in its middle?",
-            answer: |q| {
-                of_lattice(q, |bounds, corners| {
-                    let bounds = bounds.grown(q.margin);
-                    [0, 1, 2].into_iter().any(|i| {
-                        let (from, to) = (corners[i], corners[(i + 1) % 3]);
-                        let edge = sample::ray(from, to - from);
-                        let length = Interval::new(0.0, from.distance(to));
-                        slab::clip(&bounds, &edge, length).is_some()
-                    })
-                })
-            },
+            answer: |q| found(q, |how| how.meets = an_edge_passes),
         },
         Mistake {
             name: "takes the margin for a part of a cell's extents, not for metres",
             hint: "In which unit is the margin, and what is it multiplied by before it is added to a cell's half extents?",
-            answer: |q| with_margins(q, q.cell),
+            answer: |q| found(q, |how| how.margin = |q| q.margin * q.cell),
         },
         Mistake {
             name: "adds up the normal's components with their signs for a box's reach along the normal",
             hint: "A normal of −1, 0, 0: how far does a box reach along it, and can that be less than 0?",
             answer: |q| {
-                of_lattice(q, |bounds, corners| {
-                    let [p0, p1, p2] = corners;
-                    let (bounds, n) = (bounds.grown(q.margin), (p1 - p0).cross(p2 - p0));
-                    let reach = n.dot(0.5 * bounds.size());
-                    let is_near = n.dot(bounds.center() - p0).abs() <= reach;
-                    is_near && triangle_meets_box(&corners, &bounds)
+                found(q, |how| {
+                    how.meets = |q, bounds| {
+                        let n = normal(q);
+                        let reach = n.dot(0.5 * bounds.size());
+                        let is_near = n.dot(bounds.center() - q.p0).abs() <= reach;
+                        is_near && triangle_meets_box(&corners(q), bounds)
+                    };
                 })
             },
         },
         Mistake {
             name: "takes only the cells that the triangle cuts through an edge",
             hint: "A small triangle lies inside a cell, or pokes through one of its faces: which of the cell's edges does it cut?",
-            answer: |q| {
-                of_lattice(q, |bounds, corners| {
-                    cuts_an_edge(&bounds.grown(q.margin), corners)
-                })
-            },
+            answer: |q| found(q, |how| how.meets = cuts_an_edge),
         },
         Mistake {
             name: "ends each row of the lattice along x at the first cell that the triangle does not reach",
             hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
-            answer: |q| in_rows(q, whole(q), 0),
+            answer: |q| found(q, |how| how.ending = |cell| Some(cell.with_x(0))),
         },
         Mistake {
             name: "ends each row of the lattice along y at the first cell that the triangle does not reach",
             hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
-            answer: |q| in_rows(q, whole(q), 1),
+            answer: |q| found(q, |how| how.ending = |cell| Some(cell.with_y(0))),
         },
         Mistake {
             name: "ends each row of the lattice along z at the first cell that the triangle does not reach",
             hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
-            answer: |q| in_rows(q, whole(q), 2),
+            answer: |q| found(q, |how| how.ending = |cell| Some(cell.with_z(0))),
         },
         Mistake {
             name: "goes through the lattice along x first, and ends at the first cell that the triangle does not reach",
             hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
-            answer: |q| up_to_a_miss(q, along_x(whole(q)), |_| UVec3::ZERO),
+            answer: |q| found(q, |how| how.ending = |_| Some(UVec3::ZERO)),
         },
         Mistake {
             name: "goes through the lattice along z first, and ends at the first cell that the triangle does not reach",
             hint: "In a row of five cells the triangle may reach the third only: what does your loop do at the first?",
-            answer: |q| up_to_a_miss(q, along_z(whole(q)), |_| UVec3::ZERO),
+            answer: |q| {
+                found(q, |how| {
+                    how.ending = |_| Some(UVec3::ZERO);
+                    how.is_along_z = true;
+                })
+            },
         },
         Mistake {
             name: "ends each row of the bounding box along x at the first cell that the triangle does not reach",
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
-            answer: |q| in_rows(q, around(q), 0),
+            answer: |q| around(q, |how| how.ending = |cell| Some(cell.with_x(0))),
         },
         Mistake {
             name: "ends each row of the bounding box along y at the first cell that the triangle does not reach",
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
-            answer: |q| in_rows(q, around(q), 1),
+            answer: |q| around(q, |how| how.ending = |cell| Some(cell.with_y(0))),
         },
         Mistake {
             name: "ends each row of the bounding box along z at the first cell that the triangle does not reach",
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
-            answer: |q| in_rows(q, around(q), 2),
+            answer: |q| around(q, |how| how.ending = |cell| Some(cell.with_z(0))),
         },
         Mistake {
             name: "goes through the bounding box along x first, and ends at the first cell that the triangle does not reach",
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
-            answer: |q| up_to_a_miss(q, along_x(around(q)), |_| UVec3::ZERO),
+            answer: |q| around(q, |how| how.ending = |_| Some(UVec3::ZERO)),
         },
         Mistake {
             name: "goes through the bounding box along z first, and ends at the first cell that the triangle does not reach",
             hint: "A slanting triangle reaches the box around it at a few places: what does your loop do at a cell that it does not reach?",
-            answer: |q| up_to_a_miss(q, along_z(around(q)), |_| UVec3::ZERO),
+            answer: |q| {
+                around(q, |how| {
+                    how.ending = |_| Some(UVec3::ZERO);
+                    how.is_along_z = true;
+                })
+            },
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a tenth of its edges",
             hint: BETWEEN,
-            answer: |q| of_points(q, 10, q.margin),
+            answer: |q| found(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 10)),
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a sixteenth of its edges",
             hint: BETWEEN,
-            answer: |q| of_points(q, 16, q.margin),
+            answer: |q| found(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 16)),
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a twentieth of its edges",
             hint: BETWEEN,
-            answer: |q| of_points(q, 20, q.margin),
+            answer: |q| found(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 20)),
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a tenth of its edges, and forgets the margin",
             hint: BETWEEN,
-            answer: |q| of_points(q, 10, 0.0),
+            answer: |q| bare(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 10)),
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a sixteenth of its edges, and forgets the margin",
             hint: BETWEEN,
-            answer: |q| of_points(q, 16, 0.0),
+            answer: |q| bare(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 16)),
         },
         Mistake {
             name: "puts only points of the triangle into cells, in steps of a twentieth of its edges, and forgets the margin",
             hint: BETWEEN,
-            answer: |q| of_points(q, 20, 0.0),
+            answer: |q| bare(q, |how| how.meets = |q, bounds| hold_a_point(q, bounds, 20)),
         },
         Mistake {
             name: "takes only the cells that hold the triangle's middle",
             hint: "What if the triangle is larger than a cell?",
-            answer: |q| of_middle(q, q.margin),
+            answer: |q| found(q, |how| how.meets = hold_the_middle),
         },
         Mistake {
             name: "takes only the cell that holds the triangle's middle, and forgets the margin",
             hint: "What if the triangle is larger than a cell?",
-            answer: |q| of_middle(q, 0.0),
+            answer: |q| bare(q, |how| how.meets = hold_the_middle),
         },
     ];
 }

@@ -1,28 +1,24 @@
 //! Chapter 13: `reflect`.
 
+use crate::upon::changed;
 use crate::{Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec3};
 use raybook::math::{dir3::Dir3, pcg::Pcg};
 use raybook_chapters::kit::palette;
 use raybook_workbook::exercises::ch13_reflection::Reflect;
 
-/// (i·n) n: the part of i that is perpendicular to the surface.
-fn square(q: &Reflect) -> Vec3 {
-    q.incoming.dot(*q.normal) * *q.normal
+/// i·n.
+fn cosine(q: &Reflect) -> f32 {
+    q.incoming.dot(*q.normal)
 }
 
 /// The normal on the side from which the ray comes.
 fn facing(q: &Reflect) -> Vec3 {
-    if q.incoming.dot(*q.normal) > 0.0 {
+    if cosine(q) > 0.0 {
         -*q.normal
     } else {
         *q.normal
     }
-}
-
-/// (i.x (1 − 2 n.x²), …): what comes of i − 2 (i·n) n without the sum.
-fn axis_by_axis(q: &Reflect) -> Vec3 {
-    *q.incoming - 2.0 * *q.incoming * *q.normal * *q.normal
 }
 
 /// The right answer by the matrix of the mirror, 1 − 2 n nᵀ, in which an element is a copy of another one of its row: both beside the diagonal.
@@ -58,35 +54,32 @@ impl Graded for Reflect {
         Mistake {
             name: "forgets the 2",
             hint: "Subtract (i·n) n once, and you are left with a direction along the surface: how far is it to the other side?",
-            answer: |q| (*q.incoming - square(q)).normalize_or_zero(),
+            answer: |q| scaled(q, |how| how.factor = 1.0),
         },
         Mistake {
             name: "takes the cross product i × n for the part of i along n",
             hint: "Which product of two vectors tells how much of one lies along the other, and which is perpendicular to both?",
-            answer: |q| {
-                let part = q.incoming.cross(*q.normal);
-                (*q.incoming - 2.0 * part).normalize_or_zero()
-            },
+            answer: |q| scaled(q, |how| how.part = |q| q.incoming.cross(*q.normal)),
         },
         Mistake {
             name: "adds 2 (i·n) n instead of subtracting it",
             hint: "Let the ray fall straight down: how long is your answer?",
-            answer: |q| *q.incoming + 2.0 * square(q),
+            answer: |q| mirrored(q, |how| how.factor = -2.0),
         },
         Mistake {
             name: "adds 2 |i·n| n to i",
             hint: "Turn the normal round: it is the same mirror. Does your answer change?",
-            answer: |q| *q.incoming + 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
+            answer: |q| mirrored(q, |how| how.part = |q| -cosine(q).abs() * *q.normal),
         },
         Mistake {
             name: "lets the ray pass",
             hint: "Your answer is the incoming direction itself.",
-            answer: |q| *q.incoming,
+            answer: |q| mirrored(q, |how| how.factor = 0.0),
         },
         Mistake {
             name: "sends the ray back to where it came from",
             hint: "Only a ray along the normal comes back the same way.",
-            answer: |q| -*q.incoming,
+            answer: |q| Self::misread(q, |q| q.normal = q.incoming),
         },
         Mistake {
             name: "answers with the normal",
@@ -96,18 +89,18 @@ impl Graded for Reflect {
         Mistake {
             name: "subtracts 2 |i·n| n from i",
             hint: "From which side does the ray come, and does the formula need to know?",
-            answer: |q| *q.incoming - 2.0 * q.incoming.dot(*q.normal).abs() * *q.normal,
+            answer: |q| mirrored(q, |how| how.part = |q| cosine(q).abs() * *q.normal),
         },
         Mistake {
             name: "takes a 4 for the 2",
             hint: "Mirror a vector by hand: how often do you take away what is along the normal?",
-            answer: |q| (*q.incoming - 4.0 * square(q)).normalize_or_zero(),
+            answer: |q| scaled(q, |how| how.factor = 4.0),
         },
         Mistake {
             name: "mirrors only where the normal points along the ray",
             hint: "The normal may point to either side: what becomes of a ray that runs against it?",
             answer: |q| {
-                if q.incoming.dot(*q.normal) > 0.0 {
+                if cosine(q) > 0.0 {
                     Reflect::right(q)
                 } else {
                     *q.incoming
@@ -118,7 +111,7 @@ impl Graded for Reflect {
             name: "mirrors only where the ray runs against the normal",
             hint: "The normal may point to either side: what becomes of a ray that runs along it?",
             answer: |q| {
-                if q.incoming.dot(*q.normal) < 0.0 {
+                if cosine(q) < 0.0 {
                     Reflect::right(q)
                 } else {
                     *q.incoming
@@ -128,44 +121,45 @@ impl Graded for Reflect {
         Mistake {
             name: "forgets the 2, and returns what is left along the surface",
             hint: "Subtract (i·n) n once, and you are left with a vector along the surface: how far is it to the other side?",
-            answer: |q| *q.incoming - square(q),
+            answer: |q| mirrored(q, |how| how.factor = 1.0),
         },
         Mistake {
             name: "multiplies i and n axis by axis instead of taking their dot product",
             hint: "i·n is one number: what is still to be done with the three products?",
-            answer: axis_by_axis,
+            answer: |q| mirrored(q, |how| how.part = axis_by_axis),
         },
         Mistake {
             name: "multiplies i and n axis by axis instead of taking their dot product, and normalises what comes of it",
             hint: "i·n is one number: what is still to be done with the three products?",
-            // At 45° rounding decides the sign of 1 − 2 n.x²; less EPSILON, the sign is that of a program in double precision.
-            answer: |q| (axis_by_axis(q) - f32::EPSILON * *q.incoming).normalize_or_zero(),
+            answer: |q| {
+                mirrored(q, |how| {
+                    how.part = axis_by_axis;
+                    // At 45° rounding decides the sign of 1 − 2 n.x²; less EPSILON, the sign is that of a program in double precision.
+                    how.end = |sent, q| (sent - f32::EPSILON * *q.incoming).normalize_or_zero();
+                })
+            },
         },
         Mistake {
             name: "adds i and the normal, and normalises",
             hint: "A ray leaves a mirror at the angle at which it comes: does yours?",
-            answer: |q| (*q.incoming + facing(q)).normalize_or(facing(q)),
+            answer: |q| {
+                mirrored(q, |how| {
+                    how.part = |q| -0.5 * facing(q);
+                    how.end = |sent, q| sent.normalize_or(facing(q));
+                })
+            },
         },
         Mistake {
             name: "turns round only the axis that the normal is nearest to",
             hint: "That mirrors at the faces of a box: what if the normal lies between two axes?",
-            answer: |q| {
-                let axis = q.normal.abs().max_position();
-                let mut turned = *q.incoming;
-                turned[axis] = -turned[axis];
-                turned
-            },
+            answer: |q| mirrored(q, |how| how.part = along_nearest_axis),
         },
         Mistake {
             name: "turns the arriving direction round together with the normal, where the normal points along it",
             hint: "A mirror has two sides: if you turn the normal to the side from which the ray comes, does the ray come from elsewhere?",
             answer: |q| {
                 let right = Reflect::right(q);
-                if q.incoming.dot(*q.normal) > 0.0 {
-                    -right
-                } else {
-                    right
-                }
+                if cosine(q) > 0.0 { -right } else { right }
             },
         },
         Mistake {
@@ -186,10 +180,7 @@ impl Graded for Reflect {
         Mistake {
             name: "adds 2 |i·n| n to i (and brings the sum to length 1)",
             hint: "Turn the normal round: it is the same mirror. Does your answer change?",
-            answer: |q| {
-                let cosine = q.incoming.dot(*q.normal).abs();
-                (*q.incoming + 2.0 * cosine * *q.normal).normalize_or_zero()
-            },
+            answer: |q| scaled(q, |how| how.part = |q| -cosine(q).abs() * *q.normal),
         },
     ];
 
@@ -210,4 +201,46 @@ impl Graded for Reflect {
         },
         colour: |_, reflected| palette::direction(*reflected),
     }];
+}
+
+/// How a ray is mirrored; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// The part of i along the normal.
+    part: fn(q: &Reflect) -> Vec3,
+    /// How often it is subtracted from i.
+    factor: f32,
+    /// What is made of the direction in the end.
+    end: fn(sent: Vec3, q: &Reflect) -> Vec3,
+}
+
+/// As it should be.
+const WELL: How = How {
+    part: |q| cosine(q) * *q.normal,
+    factor: 2.0,
+    end: |sent, _| sent,
+};
+
+/// The reflected direction, mirrored rightly but for what is changed.
+fn mirrored(q: &Reflect, change: impl FnOnce(&mut How)) -> Vec3 {
+    let how = changed(WELL, change);
+    (how.end)(*q.incoming - how.factor * (how.part)(q), q)
+}
+
+/// The same, brought to length 1.
+fn scaled(q: &Reflect, change: impl FnOnce(&mut How)) -> Vec3 {
+    mirrored(q, |how| {
+        how.end = |sent, _| sent.normalize_or_zero();
+        change(how);
+    })
+}
+
+/// (i.x n.x², …): what comes of (i·n) n without the sum.
+fn axis_by_axis(q: &Reflect) -> Vec3 {
+    *q.incoming * *q.normal * *q.normal
+}
+
+/// The part of i along the axis that the normal is nearest to.
+fn along_nearest_axis(q: &Reflect) -> Vec3 {
+    *q.incoming * Vec3::AXES[q.normal.abs().max_position()]
 }

@@ -6,12 +6,11 @@ mod misread;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use fractions::{FINE, by_cosine, exact, of_a_lattice, seen, seen_past, to_the_corners};
+use fractions::{FINE, exact, finely, sampled, seen, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use misread::{by_balls, less_each, past_each, turned};
 use rand::RngExt;
-use raybook::math::{dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
-use raybook::shape::Shape;
+use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch16_soft_shadows::{Ball, VisibleFraction};
 use std::f32::consts::{SQRT_2, TAU};
 use std::ops::RangeInclusive;
@@ -193,7 +192,7 @@ impl Graded for VisibleFraction {
     ];
 
     fn traits(q: &VisibleFraction, got: &Vec<f32>) -> Vec<f64> {
-        let exact = seen(q, 12, |u| u, [0.0, 1.0]);
+        let exact = seen(q, 12, |u| u);
         let pairs = || {
             exact
                 .iter()
@@ -222,7 +221,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "samples the middle of the light only",
             hint: "What is the width of your penumbra?",
-            answer: |q| seen(q, 1, |u| u, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|_| 0.5; 2]),
         },
         Mistake {
             name: "returns the fraction that is in the dark",
@@ -232,22 +231,26 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "lets the shadow ray go on behind the light",
             hint: "A ball behind the light throws no shadow: where does your ray end?",
-            answer: |q| seen(q, 16, |u| u, [0.0, f32::INFINITY]),
+            answer: |q| sampled(q, |how| how.end = |_| f32::INFINITY),
         },
         Mistake {
             name: "samples one quarter of the light only",
             hint: "Which points of the light do the numbers from 0 to 1 reach?",
-            answer: |q| seen(q, 16, |u| 0.5 * u, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|u| 0.5 * u; 2]),
         },
         Mistake {
             name: "samples one diagonal of the light only",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0), [0.0, 1.0]),
+            answer: |q| {
+                sampled(q, |how| {
+                    how.pair = |u| Vec2::splat(u.x + (u.y - 0.5) / 16.0);
+                })
+            },
         },
         Mistake {
             name: "samples the light's four corners only",
             hint: "In the penumbra, how many different fractions do you get?",
-            answer: |q| seen(q, 2, |u| 2.0 * u - 0.5, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [f32::round; 2]),
         },
         Mistake {
             name: "takes every penumbra for full shadow",
@@ -287,26 +290,21 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "returns a count instead of a fraction",
             hint: "From 0, all hidden, to 1, all seen: by what do you divide?",
-            answer: |q| exact(q).iter().map(|f| f * q.samples as f32).collect(),
+            answer: |q| finely(q, |how| how.divisor = |_| 1.0),
         },
         Mistake {
             name: "adds two uniform numbers for a place on the light",
             hint: "Is the light's border chosen as often as its middle?",
             answer: |q| {
-                seen(
-                    q,
-                    16,
-                    |u| {
-                        u.map(|u| {
-                            if u < 0.5 {
-                                (0.5 * u).sqrt()
-                            } else {
-                                1.0 - (0.5 * (1.0 - u)).sqrt()
-                            }
-                        })
-                    },
-                    [0.0, 1.0],
-                )
+                sampled(q, |how| {
+                    how.along = [|u| {
+                        if u < 0.5 {
+                            (0.5 * u).sqrt()
+                        } else {
+                            1.0 - (0.5 * (1.0 - u)).sqrt()
+                        }
+                    }; 2];
+                })
             },
         },
         Mistake {
@@ -336,66 +334,51 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "samples one half of the light only, along a",
             hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
-            answer: |q| seen(q, 16, |u| Vec2::new(0.5 * u.x, u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[0] = |u| 0.5 * u),
         },
         Mistake {
             name: "samples one half of the light only, along b",
             hint: "Which points of the light do the numbers from 0 to 1 reach, along each side?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x, 0.5 * u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[1] = |u| 0.5 * u),
         },
         Mistake {
             name: "squares the random number along a",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x * u.x, u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[0] = |u| u * u),
         },
         Mistake {
             name: "squares the random number along b",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y * u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[1] = |u| u * u),
         },
         Mistake {
             name: "squares both random numbers",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| u * u, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|u| u * u; 2]),
         },
         Mistake {
             name: "lets the random numbers go from −1 to 1",
             hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
-            answer: |q| seen(q, 16, |u| 2.0 * u - 1.0, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|u| 2.0 * u - 1.0; 2]),
         },
         Mistake {
             name: "looks at the first metre of the way only",
             hint: "The light is farther away than a metre: where does your interval end, and how long is the direction that it belongs to?",
-            answer: |q| {
-                seen_past(
-                    q,
-                    16,
-                    |u| u,
-                    |ball, from, r| {
-                        Dir3::new(r).is_some_and(|d| {
-                            ball.blocks(&Ray::new(from, d), Interval::new(0.0, 1.0))
-                        })
-                    },
-                )
-            },
+            answer: |q| sampled(q, |how| how.end = |_| 1.0),
         },
         Mistake {
             name: "does not normalise the direction to the light",
             hint: "How long is the vector from the point to the light? Does your sphere take a direction of length 1 for granted?",
             answer: |q| {
-                seen_past(
-                    q,
-                    16,
-                    |u| u,
-                    |ball, from, r| {
+                sampled(q, |how| {
+                    how.blocks = |ball, from, r, within| {
                         let to_center = ball.center - from;
                         let middle = to_center.dot(r);
                         let free = to_center.length_squared() - ball.radius * ball.radius;
                         let half = (middle * middle - free).sqrt(); // NaN where it misses
-                        let within = Interval::new(0.0, r.length());
                         within.contains(middle - half) || within.contains(middle + half)
-                    },
-                )
+                    };
+                })
             },
         },
         Mistake {
@@ -435,7 +418,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes balls behind the point for obstacles",
             hint: "A hit at a negative t is not between the point and the light.",
-            answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, 1.0]),
+            answer: |q| sampled(q, |how| how.begin = f32::NEG_INFINITY),
         },
         Mistake {
             name: "does not begin to count anew at each point",
@@ -452,17 +435,17 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes the light's corner for its middle",
             hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
-            answer: |q| seen(q, 16, |u| u - 0.5, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|u| u - 0.5; 2]),
         },
         Mistake {
             name: "takes the light's corner for its middle, along a",
             hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x - 0.5, u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[0] = |u| u - 0.5),
         },
         Mistake {
             name: "takes the light's corner for its middle, along b",
             hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y - 0.5), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[1] = |u| u - 0.5),
         },
         Mistake {
             name: "takes twice the square of a ball's radius for its square",
@@ -482,42 +465,42 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes the root of the random number along a",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x.sqrt(), u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[0] = f32::sqrt),
         },
         Mistake {
             name: "takes the root of the random number along b",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x, u.y.sqrt()), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[1] = f32::sqrt),
         },
         Mistake {
             name: "takes the root of both random numbers",
             hint: "Is every part of the light chosen as often as every other?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x.sqrt(), u.y.sqrt()), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [f32::sqrt; 2]),
         },
         Mistake {
             name: "looks at the first half of the way only",
             hint: "A ball close to the light is in the way too: where does your ray end?",
-            answer: |q| seen(q, 16, |u| u, [0.0, 0.5]),
+            answer: |q| sampled(q, |how| how.end = |distance| 0.5 * distance),
         },
         Mistake {
             name: "samples one corner of the light only",
             hint: "In the penumbra, how many different fractions do you get?",
-            answer: |q| seen(q, 1, |_| Vec2::ZERO, [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along = [|_| 0.0; 2]),
         },
         Mistake {
             name: "returns twice the fraction",
             hint: "How much of the light is seen where nothing is in the way?",
-            answer: |q| exact(q).iter().map(|f| 2.0 * f).collect(),
+            answer: |q| finely(q, |how| how.divisor = |samples| 0.5 * samples),
         },
         Mistake {
             name: "takes the middle of the light along b",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.x, 0.5), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[1] = |_| 0.5),
         },
         Mistake {
             name: "takes the middle of the light along a",
             hint: "Does each sample have two random numbers of its own?",
-            answer: |q| seen(q, 16, |u| Vec2::new(0.5, u.y), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.along[0] = |_| 0.5),
         },
         Mistake {
             name: "takes the root of a ball's radius for its radius",
@@ -527,10 +510,7 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "divides by one sample more than it takes",
             hint: "Where nothing is in the way, is your fraction exactly 1? How many samples do you take, and by which number do you divide?",
-            answer: |q| {
-                let n = q.samples as f32;
-                exact(q).iter().map(|f| f * n / (n + 1.0)).collect()
-            },
+            answer: |q| finely(q, |how| how.divisor = |samples| samples + 1.0),
         },
         Mistake {
             name: "asks from the first point, for all of them",
@@ -580,56 +560,47 @@ impl Graded for VisibleFraction {
             name: "samples one half of the light only, a triangle",
             hint: "The light has four corners: into which of them do your places come?",
             answer: |q| {
-                seen(
-                    q,
-                    16,
-                    |u| if u.element_sum() > 1.0 { 1.0 - u } else { u },
-                    [0.0, 1.0],
-                )
+                sampled(q, |how| {
+                    how.pair = |u| if u.element_sum() > 1.0 { 1.0 - u } else { u }
+                })
             },
         },
         Mistake {
             name: "chooses places on a disc inside the light",
             hint: "Do your places come into the light's corners?",
             answer: |q| {
-                seen(
-                    q,
-                    16,
-                    |u| 0.5 + 0.5 * u.x.sqrt() * Vec2::from_angle(TAU * u.y),
-                    [0.0, 1.0],
-                )
+                sampled(q, |how| {
+                    how.pair = |u| 0.5 + 0.5 * u.x.sqrt() * Vec2::from_angle(TAU * u.y);
+                })
             },
         },
         Mistake {
             name: "multiplies each sample by the cosine at the light",
             hint: "The fraction is one of the light's area: how large is it where nothing is in the way?",
-            answer: by_cosine,
+            answer: |q| {
+                finely(q, |how| {
+                    how.weight = |r, normal| -r.normalize_or_zero().dot(normal.normalize_or_zero());
+                })
+            },
         },
         Mistake {
             name: "divides by one sample less than it takes",
             hint: "Where nothing is in the way, is your fraction exactly 1? How many samples do you take, and by which number do you divide?",
-            answer: |q| {
-                let n = q.samples as f32;
-                exact(q)
-                    .iter()
-                    .map(|f| f * n / (n - 1.0).max(1.0))
-                    .collect()
-            },
+            answer: |q| finely(q, |how| how.divisor = |samples| (samples - 1.0).max(1.0)),
         },
         Mistake {
             name: "begins to count the samples that are seen at 1",
             hint: "Where nothing of the light is seen, is your fraction exactly 0? Which number do you begin with?",
-            answer: |q| {
-                exact(q)
-                    .iter()
-                    .map(|f| f + 1.0 / q.samples as f32)
-                    .collect()
-            },
+            answer: |q| finely(q, |how| how.count_from = 1.0),
         },
         Mistake {
             name: "takes any ball on the line to the light for an obstacle, behind the point and behind the light too",
             hint: "A line has no ends: between which two points of it are obstacles?",
-            answer: |q| seen(q, 16, |u| u, [f32::NEG_INFINITY, f32::INFINITY]),
+            answer: |q| {
+                sampled(q, |how| {
+                    (how.begin, how.end) = (f32::NEG_INFINITY, |_| f32::INFINITY);
+                })
+            },
         },
         Mistake {
             name: "subtracts the share that each ball alone would hide, and takes 0 where less is left",
@@ -639,32 +610,36 @@ impl Graded for VisibleFraction {
         Mistake {
             name: "takes n · n samples, where n is the root of the number that is asked for, rounded down, and divides by the number itself",
             hint: "If 1000 samples are asked for, how many places has your lattice, and by which number do you divide?",
-            answer: |q| of_a_lattice(q, f32::floor),
+            answer: |q| {
+                finely(q, |how| {
+                    how.taken = |samples| samples.sqrt().floor().powi(2);
+                })
+            },
         },
         Mistake {
             name: "takes n · n samples, where n is the root of the number that is asked for, rounded up, and divides by the number itself",
             hint: "If 1000 samples are asked for, how many places has your lattice, and by which number do you divide?",
-            answer: |q| of_a_lattice(q, f32::ceil),
+            answer: |q| finely(q, |how| how.taken = |samples| samples.sqrt().ceil().powi(2)),
         },
         Mistake {
             name: "leaves out a border of the light, such as a tenth on each side",
             hint: "From where to where must your random numbers go, so that all of the light is reached?",
-            answer: |q| seen(q, FINE, |u| 0.1 + 0.8 * u, [0.0, 1.0]),
+            answer: |q| finely(q, |how| how.along = [|u| 0.1 + 0.8 * u; 2]),
         },
         Mistake {
             name: "leaves out a wide border of the light, such as a fifth on each side",
             hint: "From where to where must your random numbers go, so that all of the light is reached?",
-            answer: |q| seen(q, FINE, |u| 0.2 + 0.6 * u, [0.0, 1.0]),
+            answer: |q| finely(q, |how| how.along = [|u| 0.2 + 0.6 * u; 2]),
         },
         Mistake {
             name: "goes along a by both random numbers, and never along b",
             hint: "Which side of the light belongs to each of your two random numbers?",
-            answer: |q| seen(q, 16, |u| Vec2::new(u.element_sum(), 0.0), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.pair = |u| Vec2::new(u.element_sum(), 0.0)),
         },
         Mistake {
             name: "goes along b by both random numbers, and never along a",
             hint: "Which side of the light belongs to each of your two random numbers?",
-            answer: |q| seen(q, 16, |u| Vec2::new(0.0, u.element_sum()), [0.0, 1.0]),
+            answer: |q| sampled(q, |how| how.pair = |u| Vec2::new(0.0, u.element_sum())),
         },
     ];
 }

@@ -3,22 +3,23 @@
 mod distribution;
 mod maps;
 
-use super::{at_height, farthest};
-use crate::cases::ch16_soft_shadows::unless_near;
+use super::farthest;
+use crate::cases::ch16_soft_shadows::crossed;
 use crate::examine::RANDOM_CASES;
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
 use distribution::{
     HALVES, MANY, TOO_FLAT, TOO_STEEP, by_equal_steps, crowd, distributed, fills, leans, steps_off,
 };
-use glam::{Vec2, Vec3, vec3};
+use glam::{Vec3, Vec3Swizzles, vec3};
 use maps::{
-    around, beside, by_axes, chosen, half_squeezed, leaning, lifted, over_disc, shrunk, squeezed,
+    chosen, half_crossed, leaning, leaning_back, rather_x, rather_y, rather_z, sine, take_sphere,
+    unscaled,
 };
 use rand::RngExt;
 use raybook::math::{basis::Basis, dir3::Dir3, pcg::Pcg};
 use raybook_workbook::exercises::ch17_rendering_equation::CosineHemisphere;
-use std::f32::consts::{FRAC_PI_2, PI, TAU};
+use std::f64::consts::{FRAC_PI_2, PI, TAU};
 
 impl Graded for CosineHemisphere {
     fn random(rng: &mut Pcg) -> CosineHemisphere {
@@ -194,17 +195,17 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "takes all directions for equally likely",
             hint: "How many of your directions are less than 30° above the horizon? By the cosine it is a quarter, and uniformly it is a half.",
-            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - u),
+            answer: |q| chosen(q, |how| how.radius = |u| sine(1.0 - u)),
         },
         Mistake {
             name: "takes a uniform number itself for the radius on the disc",
             hint: "The inner half of a disc's radius holds only a quarter of its area: does it get only a quarter of your points?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u * u).sqrt()),
+            answer: |q| chosen(q, |how| how.radius = |u| u),
         },
         Mistake {
             name: "spreads the angle to the normal evenly",
             hint: "A ring around the normal gets larger with its angle: do your points crowd where it is small?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (FRAC_PI_2 * u).cos()),
+            answer: |q| chosen(q, |how| how.radius = |u| (FRAC_PI_2 * u).sin()),
         },
         Mistake {
             name: "ignores the normal",
@@ -219,17 +220,12 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "leaves the disc at a height of 1 − r",
             hint: "How long are your directions? What is the height of a sphere above the point at r?",
-            answer: |q| {
-                around(q, |u| {
-                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r)
-                })
-            },
+            answer: |q| unscaled(q, |how| how.height = |_, r| 1.0 - r),
         },
         Mistake {
             name: "fills the whole sphere",
             hint: "Which of your directions point into the surface?",
-            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - 2.0 * u),
+            answer: |q| chosen(q, |how| take_sphere(how, |u, _| 1.0 - 2.0 * u)),
         },
         Mistake {
             name: "uses one of the two numbers twice",
@@ -239,40 +235,35 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "has a density in proportion to cos²θ",
             hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u).cbrt()),
+            answer: |q| chosen(q, |how| how.radius = |u| sine((1.0 - u).cbrt())),
         },
         Mistake {
             name: "forgets the root in the height over the disc",
             hint: "r² and the height's square add up to 1: how long are your directions?",
-            answer: |q| around(q, over_disc),
+            answer: |q| unscaled(q, |how| how.height = |_, r| 1.0 - r * r),
         },
         Mistake {
             name: "forgets the root in the height over the disc, and normalises",
             hint: "r² and the height's square add up to 1: how high is the sphere over the disc at r?",
-            answer: |q| around(q, |u| over_disc(u).normalize_or_zero()),
+            answer: |q| chosen(q, |how| how.height = |_, r| 1.0 - r * r),
         },
         Mistake {
             name: "leaves the disc at a height of 1 − r, and normalises",
             hint: "What is the height of a sphere above the point at r?",
-            answer: |q| {
-                around(q, |u| {
-                    let (r, phi) = (u.x.sqrt(), TAU * u.y);
-                    vec3(r * phi.cos(), r * phi.sin(), 1.0 - r).normalize_or_zero()
-                })
-            },
+            answer: |q| chosen(q, |how| how.height = |_, r| 1.0 - r),
         },
         Mistake {
             name: "adds a point of the unit sphere to twice the normal",
             hint: "Where must the middle of the sphere be, so that the surface touches it?",
-            answer: |q| around(q, |u| lifted(2.0, u)),
+            answer: |q| chosen(q, |how| take_sphere(how, |u, _| 3.0 - 2.0 * u)),
         },
         Mistake {
             name: "adds a point of the unit ball, not of its surface, to the normal",
             hint: "Are the points that you add to the normal all one unit long?",
             answer: |q| {
-                around(q, |u| {
-                    let of_ball = u.x.cbrt() * at_height(1.0 - 2.0 * u.x, TAU * u.y);
-                    (of_ball + Vec3::Z).normalize_or_zero()
+                chosen(q, |how| {
+                    how.radius = |u| u.cbrt() * sine(1.0 - 2.0 * u);
+                    how.height = |u, _| u.cbrt() * (1.0 - 2.0 * u) + 1.0;
                 })
             },
         },
@@ -284,89 +275,80 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "takes the world's x and y for the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| beside(q, Vec3::X, Vec3::Y),
+            answer: |q| chosen(q, |how| how.axes = |_| [Vec3::X, Vec3::Y]),
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with +y",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
+            answer: |q| chosen(q, |how| how.axes = |n| crossed(n, rather_y(n))),
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with +z",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
+            answer: |q| chosen(q, |how| how.axes = |n| crossed(n, rather_z(n))),
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with +x",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
+            answer: |q| chosen(q, |how| how.axes = |n| crossed(n, rather_x(n))),
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with +y, even close to it",
             hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
             answer: |q| {
-                let is_along = q.normal.y.abs() > 0.99;
-                squeezed(q, if is_along { Vec3::X } else { Vec3::Y })
+                chosen(q, |how| {
+                    how.axes = |n| crossed(n, if n.y.abs() > 0.99 { Vec3::X } else { Vec3::Y });
+                })
             },
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with +z, even close to it",
             hint: "How long is the cross product of two vectors of length 1 that are nearly parallel?",
             answer: |q| {
-                let is_along = q.normal.z.abs() > 0.99;
-                squeezed(q, if is_along { Vec3::X } else { Vec3::Z })
+                chosen(q, |how| {
+                    how.axes = |n| crossed(n, if n.z.abs() > 0.99 { Vec3::X } else { Vec3::Z });
+                })
             },
         },
         Mistake {
             name: "takes +z itself for one of the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| {
-                let up = unless_near(q.normal, Vec3::Z, Vec3::X);
-                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
-            },
+            answer: |q| chosen(q, |how| how.axes = |n| leaning(n, rather_z(n))),
         },
         Mistake {
             name: "takes +y itself for one of the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| {
-                let up = unless_near(q.normal, Vec3::Y, Vec3::X);
-                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
-            },
+            answer: |q| chosen(q, |how| how.axes = |n| leaning(n, rather_y(n))),
         },
         Mistake {
             name: "adds a point of the upper half of the unit sphere to the normal",
             hint: "Do the points that you add come from all sides? Which of your directions are the flattest?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (0.5 + 0.5 * u).sqrt()),
+            answer: |q| chosen(q, |how| how.radius = |u| (0.5 - 0.5 * u).sqrt()),
         },
         Mistake {
             name: "adds a point of the unit sphere to the normal, and forgets to normalise",
             hint: "How long is the sum of two vectors of length 1?",
-            answer: |q| around(q, |u| at_height(1.0 - 2.0 * u.x, TAU * u.y) + Vec3::Z),
+            answer: |q| unscaled(q, |how| take_sphere(how, |u, _| 2.0 - 2.0 * u)),
         },
         Mistake {
             name: "takes u for the radius on the disc and √(1 − u) for the height, and normalises",
             hint: "r² and the height's square add up to 1: do they in yours?",
             answer: |q| {
-                around(q, |u| {
-                    let (across, up) = (u.x * Vec2::from_angle(TAU * u.y), (1.0 - u.x).sqrt());
-                    across.extend(up).normalize_or_zero()
+                chosen(q, |how| {
+                    how.radius = |u| u;
+                    how.height = |u, _| (1.0 - u).sqrt();
                 })
             },
         },
         Mistake {
             name: "takes 1 − u² for the cosine",
             hint: "A number itself for the radius, or its root? And where is the root of the height?",
-            answer: |q| chosen(q, |how| how.cosine = |u| 1.0 - u * u),
+            answer: |q| chosen(q, |how| how.radius = |u| sine(1.0 - u * u)),
         },
         Mistake {
             name: "takes the root of the same number for radius and height, and normalises",
             hint: "r² and the height's square add up to 1: do they in yours?",
-            answer: |q| {
-                around(q, |u| {
-                    let across = u.x.sqrt() * Vec2::from_angle(TAU * u.y);
-                    across.extend(u.x.sqrt()).normalize_or_zero()
-                })
-            },
+            answer: |q| chosen(q, |how| how.height = |u, _| u.sqrt()),
         },
         Mistake {
             name: "takes +y for the normal",
@@ -387,85 +369,77 @@ impl Graded for CosineHemisphere {
         Mistake {
             name: "takes the normal for the second axis, where the directions are made around the third",
             hint: "Which of your three axes is up: y, or z?",
-            answer: |q| {
-                around(q, |u| {
-                    let d = at_height((1.0 - u.x).sqrt(), TAU * u.y);
-                    vec3(d.x, d.z, d.y)
-                })
-            },
+            answer: |q| chosen(q, |how| how.taken = |d| d.xzy()),
         },
         Mistake {
             name: "does not normalise the axes beside the normal, made by cross products with the world's axis farthest from it",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| squeezed(q, farthest(q.normal)),
+            answer: |q| chosen(q, |how| how.axes = |n| crossed(n, farthest(n))),
         },
         Mistake {
             name: "normalises only one of the two axes beside the normal, made by cross products with +y",
             hint: "Each of the three axes has length 1: which of your cross products has it by itself, and which must be normalised?",
-            answer: |q| half_squeezed(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
+            answer: |q| chosen(q, |how| how.axes = |n| half_crossed(n, rather_y(n))),
         },
         Mistake {
             name: "normalises only one of the two axes beside the normal, made by cross products with +z",
             hint: "Each of the three axes has length 1: which of your cross products has it by itself, and which must be normalised?",
-            answer: |q| half_squeezed(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
+            answer: |q| chosen(q, |how| how.axes = |n| half_crossed(n, rather_z(n))),
         },
         Mistake {
             name: "takes +x itself for one of the two axes beside the normal",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| {
-                let up = unless_near(q.normal, Vec3::X, Vec3::Y);
-                beside(q, up.cross(*q.normal).normalize_or_zero(), up)
-            },
+            answer: |q| chosen(q, |how| how.axes = |n| leaning(n, rather_x(n))),
         },
         Mistake {
             name: "takes +x itself for one of the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| leaning(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
+            answer: |q| unscaled(q, |how| how.axes = |n| leaning_back(n, rather_x(n))),
         },
         Mistake {
             name: "takes +y itself for one of the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| leaning(q, unless_near(q.normal, Vec3::Y, Vec3::X)),
+            answer: |q| unscaled(q, |how| how.axes = |n| leaning_back(n, rather_y(n))),
         },
         Mistake {
             name: "takes +z itself for one of the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| leaning(q, unless_near(q.normal, Vec3::Z, Vec3::X)),
+            answer: |q| unscaled(q, |how| how.axes = |n| leaning_back(n, rather_z(n))),
         },
         Mistake {
             name: "normalises neither the axes beside the normal, made by cross products, nor the directions",
             hint: "How long is the cross product of two vectors of length 1 that are not perpendicular?",
-            answer: |q| shrunk(q, unless_near(q.normal, Vec3::X, Vec3::Y)),
+            answer: |q| unscaled(q, |how| how.axes = |n| crossed(n, rather_x(n))),
         },
         Mistake {
             name: "takes the world's x and y for the two axes beside the normal, and does not normalise",
             hint: "Are your three axes perpendicular to each other, whatever the normal is?",
-            answer: |q| by_axes(q, Vec3::X, Vec3::Y),
+            answer: |q| unscaled(q, |how| how.axes = |_| [Vec3::X, Vec3::Y]),
         },
         Mistake {
             name: "adds a point of the unit sphere to a vector that is a little longer than the normal, such as 1.1 normals",
             hint: "Where must the middle of the sphere be, so that the surface touches it? How flat is your flattest direction?",
-            answer: |q| around(q, |u| lifted(1.1, u)),
+            answer: |q| chosen(q, |how| take_sphere(how, |u, _| 2.1 - 2.0 * u)),
         },
         Mistake {
             name: "adds a point of the unit sphere to a vector between one normal and two, such as 1.5 normals",
             hint: "Where must the middle of the sphere be, so that the surface touches it? How flat is your flattest direction?",
-            answer: |q| around(q, |u| lifted(1.5, u)),
+            answer: |q| chosen(q, |how| take_sphere(how, |u, _| 2.5 - 2.0 * u)),
         },
         Mistake {
             name: "adds a point of the unit sphere to a vector that is a little shorter than the normal, such as 0.9 normals",
             hint: "Where must the middle of the sphere be, so that the surface touches it? Which points of yours lie below the surface?",
-            answer: |q| around(q, |u| lifted(0.9, u)),
+            answer: |q| chosen(q, |how| take_sphere(how, |u, _| 1.9 - 2.0 * u)),
         },
         Mistake {
             name: "keeps the radius on the disc at 0.9 or below it",
             hint: "Which of your directions are the flattest? What becomes of the points of the disc near its rim?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u.min(0.81)).sqrt()),
+            answer: |q| chosen(q, |how| how.radius = |u| u.sqrt().min(0.9)),
         },
         Mistake {
             name: "takes the fourth root of a uniform number for the cosine",
             hint: "Which power of u is the cosine, if the density shall be cos θ/π?",
-            answer: |q| chosen(q, |how| how.cosine = |u| (1.0 - u).powf(0.25)),
+            answer: |q| chosen(q, |how| how.radius = |u| sine((1.0 - u).powf(0.25))),
         },
     ];
 }

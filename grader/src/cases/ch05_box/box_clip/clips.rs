@@ -1,178 +1,145 @@
 //! Clips as students write them: of slabs whose planes are in the wrong order, of overlaps that are none, of faces that are crossed.
 
-use glam::DVec3;
+use crate::upon::changed;
+use crate::{Graded, sample};
 use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch05_box::BoxClip;
-use std::ops::Range;
 
-/// Where the whole line enters and leaves the slab of an axis; by the right rule.
-pub(super) fn slab(q: &BoxClip, axis: usize) -> (f32, f32) {
-    let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
-    let (a, b) = ((q.min[axis] - o) / d, (q.max[axis] - o) / d);
-    if d.is_sign_negative() { (b, a) } else { (a, b) }
+/// How a ray is clipped by the slabs of a box, one after the other; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+pub(super) struct How {
+    /// The two planes across an axis.
+    pub(super) planes: fn(q: &BoxClip, axis: usize) -> [f32; 2],
+    /// What is made of a ray that does not move along an axis.
+    pub(super) parallel: Parallel,
+    /// How far away a plane is that is behind some way along an axis, along which the ray has the direction `d`.
+    pub(super) distance: fn(way: f32, d: f32) -> f32,
+    /// The component of the direction by whose sign the planes across each axis are swapped; none, where they never are.
+    pub(super) swapped_by: [Option<usize>; 3],
+    /// Both planes' distances in their order, where the ray goes `down` the axis or not.
+    pub(super) order: fn(a: f32, b: f32, down: bool) -> (f32, f32),
+    /// Of what the first slab leaves a part.
+    pub(super) start: fn(within: Interval) -> Interval,
+    /// Whether anything is left of a part, as far as this is asked before the slab of an axis is cut from it.
+    pub(super) check: fn(axis: usize, part: Interval, slab: Interval) -> bool,
+    /// The next entry, made of the one before, the slab's, and the interval's beginning.
+    pub(super) enter: fn(entry: f32, near: f32, start: f32) -> f32,
+    /// The next exit, made of the one before, the slab's, and the interval's end.
+    pub(super) leave: fn(exit: f32, far: f32, end: f32) -> f32,
+    /// Whether a slab that moves the entry does not move the exit.
+    pub(super) is_either: bool,
+    /// Whether the interval is cut out of the part at the end, too.
+    pub(super) is_cut_at_end: bool,
+    /// Whether anything is left at the end. Of an endless interval, both ends may be ∞: then, nothing.
+    pub(super) is_left: fn(part: Interval) -> bool,
 }
 
-/// Clips by three slabs, with a rule for the entries and the interval's min, and one for the exits and its max.
-pub(super) fn folded(
-    q: &BoxClip,
-    enter: fn(f32, f32) -> f32,
-    leave: fn(f32, f32) -> f32,
-) -> Option<Interval> {
-    let slabs = (0..3).map(|axis| slab(q, axis));
-    let (min, max) = slabs.fold((q.within.min, q.within.max), |(min, max), (near, far)| {
-        (enter(min, near), leave(max, far))
-    });
-    finish(min, max)
+/// What is made of a ray that runs along a slab.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Parallel {
+    /// It misses the box if it is outside of the slab, which else cuts off nothing.
+    Asked,
+    /// The slab cuts off nothing.
+    Skipped,
+    /// It is divided by 0.
+    Divided,
 }
 
-/// Clips by the slabs of the axes along which the ray moves. Of each slab, whose planes are at `near` and `far`, `enter` makes the next entry,
-/// and `leave` the next exit; `start` and `end` are the ends of the interval.
-pub(super) fn folded_from(
-    q: &BoxClip,
-    enter: fn(entry: f32, near: f32, start: f32) -> f32,
-    leave: fn(exit: f32, far: f32, end: f32) -> f32,
-) -> Option<Interval> {
-    let Interval {
-        min: start,
-        max: end,
-    } = q.within;
-    let slabs = crossed(q)?.into_iter();
-    let (min, max) = slabs.fold((start, end), |(min, max), (_, (near, far))| {
-        (enter(min, near, start), leave(max, far, end))
-    });
-    finish(min, max)
-}
+/// As it should be.
+const WELL: How = How {
+    planes: |q, axis| [q.min[axis], q.max[axis]],
+    parallel: Parallel::Asked,
+    distance: |way, d| way / d,
+    swapped_by: [Some(0), Some(1), Some(2)],
+    order: |a, b, down| if down { (b, a) } else { (a, b) },
+    start: |within| within,
+    check: |_, _, _| true,
+    enter: |entry, near, _| entry.max(near),
+    leave: |exit, far, _| exit.min(far),
+    is_either: false,
+    is_cut_at_end: false,
+    is_left: |part| part.max - part.min >= 0.0,
+};
 
-/// Clips by three slabs, by a rule for the order of the planes and one for when there is anything left.
-pub(super) fn slabs(
-    q: &BoxClip,
-    order: fn(f32, f32, f32) -> (f32, f32),
-    keep: fn(f32, f32) -> bool,
-) -> Option<Interval> {
-    let Interval { mut min, mut max } = q.within;
+/// The part of the ray inside the box, rightly but for what is changed.
+pub(super) fn clipped(q: &BoxClip, change: impl FnOnce(&mut How)) -> Option<Interval> {
+    let how = changed(WELL, change);
+    let mut part = (how.start)(q.within);
     for axis in 0..3 {
         let (o, d) = (q.ray.origin[axis], q.ray.direction[axis]);
-        let (near, far) = order((q.min[axis] - o) / d, (q.max[axis] - o) / d, d);
-        (min, max) = (min.max(near), max.min(far));
-    }
-    keep(min, max).then_some(Interval { min, max })
-}
-
-pub(super) fn finish(min: f32, max: f32) -> Option<Interval> {
-    (max - min >= 0.0).then_some(Interval { min, max })
-}
-
-/// The axes along which the ray moves, each with where the whole line enters and leaves its slab; nothing for a ray outside of a
-/// slab that it runs along.
-pub(super) fn crossed(q: &BoxClip) -> Option<Vec<(usize, (f32, f32))>> {
-    let is_beside = |axis: usize| {
-        let slab = q.min[axis]..=q.max[axis];
-        q.ray.direction[axis] == 0.0 && !slab.contains(&q.ray.origin[axis])
-    };
-    let moves = |axis: &usize| q.ray.direction[*axis] != 0.0;
-    let slabs = (0..3).filter(moves).map(|axis| (axis, slab(q, axis)));
-    (!(0..3).any(is_beside)).then(|| slabs.collect())
-}
-
-/// What is in the interval and in all of these parts of the line.
-pub(super) fn overlap(q: &BoxClip, parts: impl Iterator<Item = (f32, f32)>) -> Option<Interval> {
-    let (min, max) = parts.fold((q.within.min, q.within.max), |(min, max), (near, far)| {
-        (min.max(near), max.min(far))
-    });
-    finish(min, max)
-}
-
-/// Clips by the slabs, of which those of some axes have the planes in the order of the axis, whichever way the ray goes.
-pub(super) fn unswapped(q: &BoxClip, axes: Range<usize>) -> Option<Interval> {
-    let parts = crossed(q)?.into_iter().map(|(axis, (near, far))| {
-        if axes.contains(&axis) && q.ray.direction[axis] < 0.0 {
-            (far, near)
-        } else {
-            (near, far)
+        let planes = (how.planes)(q, axis);
+        if d == 0.0 && how.parallel != Parallel::Divided {
+            if how.parallel == Parallel::Asked && !(planes[0]..=planes[1]).contains(&o) {
+                return None;
+            }
+            continue;
         }
-    });
-    overlap(q, parts)
-}
-
-/// The part in the last slab, where the part in each slab overlaps the one before.
-pub(super) fn of_last_axis(q: &BoxClip) -> Option<Interval> {
-    let mut last = (q.within.min, q.within.max);
-    for (_, (near, far)) in crossed(q)? {
-        if far < last.0 || near > last.1 {
+        let [a, b] = planes.map(|plane| (how.distance)(plane - o, d));
+        // Divided by −0, the planes are in the other order; of another component, −0 is not below 0.
+        let is_down = |by: usize| q.ray.direction[by] < 0.0 || (by == axis && d.is_sign_negative());
+        let (near, far) = (how.order)(a, b, how.swapped_by[axis].is_some_and(is_down));
+        let slab = Interval::new(near, far);
+        if !(how.check)(axis, part, slab) {
             return None;
         }
-        last = (near, far);
-    }
-    finish(last.0.max(q.within.min), last.1.min(q.within.max))
-}
-
-/// Clips by three slabs, whose planes are ordered by the signs of these components of the direction.
-pub(super) fn ordered_by(q: &BoxClip, signs: [usize; 3]) -> Option<Interval> {
-    let goes_down = |axis: usize| q.ray.direction[axis] < 0.0;
-    let ordered = |(axis, (near, far))| {
-        if goes_down(axis) == goes_down(signs[axis]) {
-            (near, far)
-        } else {
-            (far, near)
+        if !(how.is_either && near > part.min) {
+            part.max = (how.leave)(part.max, far, q.within.max);
         }
-    };
-    overlap(q, crossed(q)?.into_iter().map(ordered))
-}
-
-/// The faces that the ray crosses in the interval, each by its axis and its distance.
-pub(super) fn faces_crossed(q: &BoxClip) -> Vec<(usize, f64)> {
-    let [from, to] = [q.within.min, q.within.max].map(f64::from);
-    let (o, d) = (q.ray.origin.as_dvec3(), q.ray.direction.as_dvec3());
-    let mut hits = Vec::new();
-    for axis in (0..3).filter(|&axis| d[axis] != 0.0) {
-        for plane in [q.min[axis], q.max[axis]] {
-            let t = (f64::from(plane) - o[axis]) / d[axis];
-            let is_beside = |other: usize| other != axis && !is_between(q, o + t * d, other);
-            if (from..=to).contains(&t) && !(0..3).any(is_beside) {
-                hits.push((axis, t));
-            }
-        }
+        part.min = (how.enter)(part.min, near, q.within.min);
     }
-    hits
-}
-
-/// Whether a point is between the two planes across an axis, or in one of them.
-fn is_between(q: &BoxClip, p: DVec3, axis: usize) -> bool {
-    /// Further away from a plane than by rounding, in metres.
-    const ROUNDING: f64 = 1e-6;
-    let [low, high] = [q.min[axis], q.max[axis]].map(f64::from);
-    (low - ROUNDING..=high + ROUNDING).contains(&p[axis])
-}
-
-/// The same hits without those at the distance of another across another axis: an edge counts once.
-pub(super) fn of_different_axes(hits: &[(usize, f64)]) -> Vec<(usize, f64)> {
-    let mut kept: Vec<(usize, f64)> = Vec::new();
-    for &(axis, t) in hits {
-        let is_edge = |(other, u): &(usize, f64)| *other != axis && (t - u).abs() < 1e-6;
-        if !kept.iter().any(is_edge) {
-            kept.push((axis, t));
-        }
+    if how.is_cut_at_end {
+        part = overlap(part, q.within)?;
     }
-    kept
+    (how.is_left)(part).then_some(part)
 }
 
-/// The part from the nearest hit to the farthest, and by `alone` where there is only one; without any, the whole interval if it begins inside.
-pub(super) fn between(
+/// What is in both of two parts.
+pub(super) fn overlap(a: Interval, b: Interval) -> Option<Interval> {
+    let (min, max) = (a.min.max(b.min), a.max.min(b.max));
+    (min <= max).then_some(Interval { min, max })
+}
+
+/// The part of the whole line inside the box.
+pub(super) fn whole(q: &BoxClip) -> Option<Interval> {
+    BoxClip::misread(q, |q| q.within = sample::LINE)
+}
+
+/// Where the ray crosses faces of the box in the interval: twice at most.
+pub(super) fn crossings(q: &BoxClip) -> Vec<f32> {
+    let is_within = |t: &f32| (q.within.min..=q.within.max).contains(t);
+    let ends = whole(q).into_iter().flat_map(|part| [part.min, part.max]);
+    ends.filter(is_within).collect()
+}
+
+/// The part that is right, but by `alone` where only one of these crossings is in the interval.
+pub(super) fn unless_alone(
     q: &BoxClip,
-    hits: &[(usize, f64)],
-    alone: fn(&BoxClip, f64) -> (f64, f64),
+    crossings: &[f32],
+    alone: fn(q: &BoxClip, t: f32) -> Interval,
 ) -> Option<Interval> {
-    let (min, max) = match hits {
-        [] => {
-            let begin = q.ray.at(q.within.min).as_dvec3();
-            let is_inside = (0..3).all(|axis| is_between(q, begin, axis));
-            return is_inside.then_some(q.within);
-        }
-        [(_, t)] => alone(q, *t),
-        [(_, first), more @ ..] => {
-            let ends = |(min, max): (f64, f64), (_, t): &(usize, f64)| (min.min(*t), max.max(*t));
-            more.iter().fold((*first, *first), ends)
-        }
-    };
-    finish(min as f32, max as f32)
+    let part = BoxClip::right(q)?;
+    Some(match crossings {
+        [t] => alone(q, *t),
+        _ => part,
+    })
 }
+
+/// The same crossings, but only one of two at an edge.
+pub(super) fn once_at_edges(mut crossings: Vec<f32>) -> Vec<f32> {
+    crossings.dedup_by(|t, before| (*t - *before).abs() < NEAR);
+    crossings
+}
+
+/// Whether two faces at once are crossed at a distance.
+pub(super) fn is_edge(q: &BoxClip, t: f32) -> bool {
+    let p = q.ray.at(t);
+    let is_on = |axis: &usize| {
+        [q.min, q.max]
+            .iter()
+            .any(|corner| (corner[*axis] - p[*axis]).abs() < NEAR)
+    };
+    (0..3).filter(is_on).count() > 1
+}
+
+/// No farther away than by rounding, in metres.
+const NEAR: f32 = 1e-5;

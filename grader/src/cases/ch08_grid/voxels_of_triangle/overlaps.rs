@@ -1,94 +1,118 @@
 //! Which cells a triangle meets, as students write it: by bounds of another size, by half of the test, in rows that end too soon.
 
 use crate::sample;
+use crate::upon::changed;
 use glam::{UVec3, Vec3, Vec3Swizzles};
 use raybook::inside::grid::{range, triangle_meets_box};
-use raybook::math::{aabb::Aabb, interval::Interval};
+use raybook::math::{aabb::Aabb, interval::Interval, slab};
 use raybook::shape::{Shape, mesh::Facet};
 use raybook_workbook::exercises::ch08_grid::{Cell, VoxelsOfTriangle};
 
-/// The cells that reach the triangle's bounding box by the margin, and that a test keeps.
-pub(super) fn kept(q: &VoxelsOfTriangle, keep: impl Fn(Aabb, [Vec3; 3]) -> bool) -> Vec<Cell> {
-    let around = Aabb::of([q.p0, q.p1, q.p2]).grown(q.margin);
-    of_lattice(q, |bounds, corners| {
-        let reaches = bounds.min.cmple(around.max) & around.min.cmple(bounds.max);
-        reaches.all() && keep(bounds, corners)
-    })
+/// How the cells are found that meet a triangle; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+pub(super) struct How {
+    /// By how much a cell reaches beyond its planes, along each axis.
+    pub(super) margin: fn(q: &VoxelsOfTriangle) -> Vec3,
+    /// Whether the loop leaves out cells that do not reach the triangle's bounding box.
+    pub(super) is_around: bool,
+    /// Whether it goes along z first, and not along x.
+    pub(super) is_along_z: bool,
+    /// The number of the loop that ends at a `cell` that does not meet the triangle; none, where none ends.
+    pub(super) ending: fn(cell: UVec3) -> Option<UVec3>,
+    /// By how many of its extents a cell is moved before it is tested.
+    pub(super) shift: f32,
+    /// By how many of its extents a cell is larger on each side when it is tested.
+    pub(super) growth: f32,
+    /// The test whether a cell of these `bounds` meets the triangle.
+    pub(super) meets: fn(q: &VoxelsOfTriangle, bounds: &Aabb) -> bool,
 }
 
-/// The cells of the whole lattice that a test keeps.
-pub(super) fn of_lattice(
-    q: &VoxelsOfTriangle,
-    keep: impl Fn(Aabb, [Vec3; 3]) -> bool,
-) -> Vec<Cell> {
-    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
-    let cells = range(UVec3::ZERO, lattice.resolution - 1);
-    cells
-        .filter(|&cell| keep(lattice.bounds_of(cell, cell), corners))
-        .map(Cell::from)
-        .collect()
-}
+/// As it should be.
+const WELL: How = How {
+    margin: |q| Vec3::splat(q.margin),
+    is_around: false,
+    is_along_z: false,
+    ending: |_| None,
+    shift: 0.0,
+    growth: 0.0,
+    meets: |q, bounds| triangle_meets_box(&corners(q), bounds),
+};
 
-/// The first and the last cell of the lattice.
-pub(super) fn whole(q: &VoxelsOfTriangle) -> [UVec3; 2] {
-    [UVec3::ZERO, q.lattice().resolution - 1]
-}
-
-/// The first and the last cell that the triangle's bounding box meets, along each axis.
-pub(super) fn around(q: &VoxelsOfTriangle) -> [UVec3; 2] {
-    let bounds = Aabb::of([q.p0, q.p1, q.p2]).grown(q.margin);
-    q.lattice().cells_of(&bounds).into()
-}
-
-/// The cells from the first to the last, along x first.
-pub(super) fn along_x([first, last]: [UVec3; 2]) -> impl Iterator<Item = UVec3> {
-    range(first, last)
-}
-
-/// The same, along z first.
-pub(super) fn along_z(ends: [UVec3; 2]) -> impl Iterator<Item = UVec3> {
-    along_x(ends.map(UVec3::zyx)).map(UVec3::zyx)
-}
-
-/// The cells that meet the triangle, but for those behind a cell that does not, in the same row along an axis.
-pub(super) fn in_rows(q: &VoxelsOfTriangle, ends: [UVec3; 2], axis: usize) -> Vec<Cell> {
-    up_to_a_miss(q, along_x(ends), |mut row| {
-        row[axis] = 0;
-        row
-    })
-}
-
-/// The cells that meet the triangle, but for those that come after a cell that does not, in the same loop: each has a number.
-pub(super) fn up_to_a_miss(
-    q: &VoxelsOfTriangle,
-    cells: impl Iterator<Item = UVec3>,
-    in_loop: impl Fn(UVec3) -> UVec3,
-) -> Vec<Cell> {
-    let (lattice, corners) = (q.lattice(), [q.p0, q.p1, q.p2]);
+/// The cells that meet the triangle, found rightly but for what is changed.
+pub(super) fn found(q: &VoxelsOfTriangle, change: impl FnOnce(&mut How)) -> Vec<Cell> {
+    let how = changed(WELL, change);
+    let (lattice, around) = (q.lattice(), Aabb::of(corners(q)));
+    let (mut last, margin) = (lattice.resolution - 1, (how.margin)(q));
+    if how.is_along_z {
+        last = last.zyx();
+    }
     let mut ended = Vec::new();
-    let is_found = |cell: &UVec3| {
-        let own = in_loop(*cell);
-        if ended.contains(&own) {
-            return false;
+    let mut cells = Vec::new();
+    for cell in range(UVec3::ZERO, last) {
+        let cell = if how.is_along_z { cell.zyx() } else { cell };
+        let bounds = lattice.bounds_of(cell, cell);
+        let (min, max) = (bounds.min - margin, bounds.max + margin);
+        let reaches = (min.cmple(around.max) & around.min.cmple(max)).all();
+        let own = (how.ending)(cell);
+        if (how.is_around && !reaches) || own.is_some_and(|own| ended.contains(&own)) {
+            continue;
         }
-        let bounds = lattice.bounds_of(*cell, *cell).grown(q.margin);
-        let meets = triangle_meets_box(&corners, &bounds);
-        if !meets {
-            ended.push(own);
+        let (shift, growth) = (how.shift * q.cell, how.growth * q.cell);
+        if (how.meets)(q, &Aabb::new(min + shift - growth, max + shift + growth)) {
+            cells.push(Cell::from(cell));
+        } else {
+            ended.extend(own);
         }
-        meets
-    };
-    cells.filter(is_found).map(Cell::from).collect()
+    }
+    cells
+}
+
+/// The same of the cells that reach the triangle's bounding box.
+pub(super) fn around(q: &VoxelsOfTriangle, change: impl FnOnce(&mut How)) -> Vec<Cell> {
+    found(q, |how| {
+        how.is_around = true;
+        change(how);
+    })
+}
+
+/// The same of all cells, but without the margin.
+pub(super) fn bare(q: &VoxelsOfTriangle, change: impl FnOnce(&mut How)) -> Vec<Cell> {
+    found(q, |how| {
+        how.margin = |_| Vec3::ZERO;
+        change(how);
+    })
+}
+
+/// The triangle's corners.
+pub(super) fn corners(q: &VoxelsOfTriangle) -> [Vec3; 3] {
+    [q.p0, q.p1, q.p2]
 }
 
 /// Whether the plane in which a triangle lies cuts a box.
-pub(super) fn plane_cuts(bounds: &Aabb, [p0, p1, p2]: [Vec3; 3]) -> bool {
-    let n = (p1 - p0).cross(p2 - p0);
-    n.dot(bounds.center() - p0).abs() <= n.abs().dot(0.5 * bounds.size())
+pub(super) fn plane_cuts(q: &VoxelsOfTriangle, bounds: &Aabb) -> bool {
+    let n = normal(q);
+    n.dot(bounds.center() - q.p0).abs() <= n.abs().dot(0.5 * bounds.size())
+}
+
+/// A vector perpendicular to the triangle.
+pub(super) fn normal(q: &VoxelsOfTriangle) -> Vec3 {
+    (q.p1 - q.p0).cross(q.p2 - q.p0)
+}
+
+/// Whether an edge of the triangle passes through a box.
+pub(super) fn an_edge_passes(q: &VoxelsOfTriangle, bounds: &Aabb) -> bool {
+    let corners = corners(q);
+    let passes = |i: usize| {
+        let (from, to) = (corners[i], corners[(i + 1) % 3]);
+        let length = Interval::new(0.0, from.distance(to));
+        slab::clip(bounds, &sample::ray(from, to - from), length).is_some()
+    };
+    (0..3).any(passes)
 }
 
 /// Whether a triangle is met by one of the twelve edges of a box.
-pub(super) fn cuts_an_edge(bounds: &Aabb, corners: [Vec3; 3]) -> bool {
+pub(super) fn cuts_an_edge(q: &VoxelsOfTriangle, bounds: &Aabb) -> bool {
+    let corners = corners(q);
     let triangle = Facet { corners, id: 0 };
     let is_cut = |axis: usize, corner: u32| {
         let mut from = bounds.min;
@@ -105,32 +129,15 @@ pub(super) fn cuts_an_edge(bounds: &Aabb, corners: [Vec3; 3]) -> bool {
     (0..3).any(|axis| (0..4).any(|corner| is_cut(axis, corner)))
 }
 
-/// The cells of the lattice that meet the triangle if each is moved along every axis by its size there times `by`.
-pub(super) fn shifted(q: &VoxelsOfTriangle, by: f32) -> Vec<Cell> {
-    of_lattice(q, |bounds, corners| {
-        let by = by * bounds.size();
-        let bounds = Aabb::new(bounds.min + by, bounds.max + by).grown(q.margin);
-        triangle_meets_box(&corners, &bounds)
-    })
-}
-
-/// The cells that meet the triangle if the margin is added along some axes.
-pub(super) fn with_margins(q: &VoxelsOfTriangle, along: Vec3) -> Vec<Cell> {
-    of_lattice(q, |bounds, corners| {
-        let by = q.margin * along;
-        triangle_meets_box(&corners, &Aabb::new(bounds.min - by, bounds.max + by))
-    })
-}
-
-/// Whether a direction across an axis and an edge parts a box and a triangle.
-pub(super) fn is_parted_by_edges(corners: [Vec3; 3], bounds: &Aabb) -> bool {
+/// Whether no direction across an axis and an edge parts a box and the triangle.
+pub(super) fn no_edge_parts(q: &VoxelsOfTriangle, bounds: &Aabb) -> bool {
     let half = 0.5 * bounds.size();
-    let corners = corners.map(|p| p - bounds.center());
+    let corners = corners(q).map(|p| p - bounds.center());
     let edges = [0, 1, 2].map(|i| corners[(i + 1) % 3] - corners[i]);
     let across = edges
         .iter()
         .flat_map(|edge| Vec3::AXES.map(|axis| axis.cross(*edge)));
-    across.into_iter().any(|along| {
+    !across.into_iter().any(|along| {
         let at = corners.map(|p| along.dot(p));
         let reach = along.abs().dot(half);
         let (least, most) = (at[0].min(at[1]).min(at[2]), at[0].max(at[1]).max(at[2]));

@@ -49,8 +49,8 @@ fn shares([from, to]: [f64; 2]) -> Vec<f64> {
 /// How much the fractions of a question tell of a border that is left out on all four sides, about: Σ b²/σ², by a coarse lattice.
 pub(super) fn told(q: &VisibleFraction) -> f64 {
     const COARSE: u32 = 8;
-    let all = seen(q, COARSE, |u| u, [0.0, 1.0]);
-    let inner = seen(q, COARSE, |u| 0.5 + 0.8 * (u - 0.5), [0.0, 1.0]);
+    let all = seen(q, COARSE, |u| u);
+    let inner = seen(q, COARSE, |u| 0.5 + 0.8 * (u - 0.5));
     let by = |(all, inner): (f32, f32)| {
         let [f, b] = [all, inner - all].map(f64::from);
         if BETWEEN.contains(&f) {

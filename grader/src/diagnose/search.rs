@@ -89,7 +89,7 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
 /// Whether a number that fits estimates says of all of them, but for what chance scatters, what a mistake does: "2 times" beside "twice".
 fn says_the_same(mistake: &Found, fit: &Found) -> bool {
     /// What chance scatters, as a share of the estimate.
-    const CHANCE: f64 = 0.02;
+    const CHANCE: f64 = 0.05;
     let are_near = |(a, b): (&Vec<f64>, &Vec<f64>)| {
         let mut both = a.iter().zip(b);
         a.len() == b.len() && both.all(|(a, b)| (a - b).abs() <= CHANCE * b.abs())

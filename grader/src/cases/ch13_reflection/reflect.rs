@@ -64,7 +64,7 @@ impl Graded for Reflect {
         Mistake {
             name: "adds 2 (i·n) n instead of subtracting it",
             hint: "Let the ray fall straight down: how long is your answer?",
-            answer: |q| mirrored(q, |how| how.factor = -2.0),
+            answer: |q| mirrored(q, |how| how.sign = -1.0),
         },
         Mistake {
             name: "adds 2 |i·n| n to i",
@@ -208,8 +208,10 @@ impl Graded for Reflect {
 struct How {
     /// The part of i along the normal.
     part: fn(q: &Reflect) -> Vec3,
-    /// How often it is subtracted from i.
+    /// How often it is subtracted from i …
     factor: f32,
+    /// … or added to it, if this is −1.
+    sign: f32,
     /// What is made of the direction in the end.
     end: fn(sent: Vec3, q: &Reflect) -> Vec3,
 }
@@ -218,13 +220,14 @@ struct How {
 const WELL: How = How {
     part: |q| cosine(q) * *q.normal,
     factor: 2.0,
+    sign: 1.0,
     end: |sent, _| sent,
 };
 
 /// The reflected direction, mirrored rightly but for what is changed.
 fn mirrored(q: &Reflect, change: impl FnOnce(&mut How)) -> Vec3 {
     let how = changed(WELL, change);
-    (how.end)(*q.incoming - how.factor * (how.part)(q), q)
+    (how.end)(*q.incoming - how.sign * how.factor * (how.part)(q), q)
 }
 
 /// The same, brought to length 1.

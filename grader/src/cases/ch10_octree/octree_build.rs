@@ -4,14 +4,13 @@ mod builders;
 
 use super::octree_tree::{cost, is_tree, misplaced, names, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
-use builders::{begun, built, by, depth_first, name_all, sum, with_limit};
+use builders::{begun, built, depth_first, name_all, sum};
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::octree::build::Limits;
-use raybook::inside::octree::child_cell;
-use raybook::math::{aabb::Aabb, pcg::Pcg};
+use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch05_box::Corners;
-use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
+use raybook_workbook::exercises::ch10_octree::OctreeBuild;
 use raybook_workbook::octree_rows::TreeRow;
 
 /// Leads to where a leaf's names begin.
@@ -287,32 +286,25 @@ impl Graded for OctreeBuild {
             name: "names a shape only where its middle is",
             hint: "A ray can hit a shape far from the shape's middle: in which leaves must the ray find the shape?",
             answer: |q| {
-                built(
-                    q,
-                    |l| l,
-                    |shape, cells| {
+                built(q, |how| {
+                    how.place = |shape| {
                         let middle = 0.5 * (shape.min + shape.max);
-                        let place = Corners {
+                        Corners {
                             min: middle,
                             max: middle,
-                        };
-                        1 << reached(&place, cells).trailing_zeros().min(7)
-                    },
-                )
+                        }
+                    };
+                    how.kept = |bits| 1 << bits.trailing_zeros().min(7);
+                })
             },
         },
         Mistake {
             name: "drops shapes that reach several children",
             hint: "A shape that does not fit into one child: where is it named?",
             answer: |q| {
-                built(
-                    q,
-                    |l| l,
-                    |shape, cells| {
-                        let bits = reached(shape, cells);
-                        if bits.is_power_of_two() { bits } else { 0 }
-                    },
-                )
+                built(q, |how| {
+                    how.kept = |bits| if bits.is_power_of_two() { bits } else { 0 };
+                })
             },
         },
         Mistake {
@@ -320,14 +312,14 @@ impl Graded for OctreeBuild {
             hint: "A leaf says where its names begin, and how many they are: which line of yours writes them there?",
             answer: |q| TreeRow {
                 names: Vec::new(),
-                ..built(q, |l| l, reached)
+                ..Self::right(q)
             },
         },
         Mistake {
             name: "writes the names of a cell that it cuts into the list, too",
             hint: "Who reads the names of a node with children? When is it known whether a cell is cut?",
             answer: |q| {
-                let tree = built(q, |l| l, reached);
+                let tree = Self::right(q);
                 let mut made = TreeRow {
                     names: Vec::new(),
                     ..tree.clone()
@@ -339,50 +331,22 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "never cuts",
             hint: "What does a ray gain from a tree that is a single leaf? If your rule never allows a cut: which share of a child's shapes does a ray test?",
-            answer: |q| built(q, |l| Limits { depth: 0, ..l }, reached),
+            answer: |q| Self::misread(q, |q| q.depth = 0),
         },
         Mistake {
             name: "cuts as long as the depth allows",
             hint: "What does a ray gain if a leaf with one shape, or none, is cut?",
-            answer: |q| {
-                built(
-                    q,
-                    |l| Limits {
-                        opening: -1e9,
-                        copies: 1e9,
-                        ..l
-                    },
-                    reached,
-                )
-            },
+            answer: |q| Self::misread(q, |q| (q.opening, q.copies) = (-1e9, 1e9)),
         },
         Mistake {
             name: "cuts the root only",
             hint: "Are the children cells like any other?",
-            answer: |q| {
-                built(
-                    q,
-                    |l| Limits {
-                        depth: l.depth.min(1),
-                        ..l
-                    },
-                    reached,
-                )
-            },
+            answer: |q| Self::misread(q, |q| q.depth = q.depth.min(1)),
         },
         Mistake {
             name: "cuts one level deeper than the depth allows",
             hint: "With a depth of 0, how many nodes may there be?",
-            answer: |q| {
-                built(
-                    q,
-                    |l| Limits {
-                        depth: l.depth + 1,
-                        ..l
-                    },
-                    reached,
-                )
-            },
+            answer: |q| Self::misread(q, |q| q.depth = q.depth.saturating_add(1)),
         },
         Mistake {
             name: "swaps x and z in the children's numbers and in their cells",
@@ -399,59 +363,33 @@ impl Graded for OctreeBuild {
             name: "swaps x and z in the children's numbers, but not in their cells",
             hint: "Child 1 is in the upper half along one axis only: along which? Do its cell and its shapes agree?",
             answer: |q| {
-                built(
-                    q,
-                    |l| l,
-                    |shape, cells| {
-                        let swapped = [0, 4, 2, 6, 1, 5, 3, 7].map(|i: usize| cells[i]);
-                        reached(shape, &swapped)
-                    },
-                )
+                built(q, |how| {
+                    how.cells = |cells, _| [0, 4, 2, 6, 1, 5, 3, 7].map(|i: usize| cells[i]);
+                })
             },
         },
         Mistake {
             name: "compares shapes with the middle of the whole scene in every cell",
             hint: "Which point parts the children of a cell that has been cut before: the root's middle, or its own?",
-            answer: |q| {
-                let root = Aabb {
-                    min: q.min,
-                    max: q.max,
-                };
-                let cells = std::array::from_fn(|i| child_cell(&root, i));
-                built(q, |l| l, |shape, _| reached(shape, &cells))
-            },
+            answer: |q| built(q, |how| how.cells = |_, of_root| of_root),
         },
         Mistake {
             name: "ignores the limit on copies",
             hint: "How often are large shapes named in all leaves together?",
-            answer: |q| {
-                built(
-                    q,
-                    |l| Limits {
-                        copies: f32::INFINITY,
-                        ..l
-                    },
-                    reached,
-                )
-            },
+            answer: |q| Self::misread(q, |q| q.copies = f32::INFINITY),
         },
         Mistake {
             name: "forgets the cost of opening a node",
             hint: "Is a node with children free for a ray that enters it?",
-            answer: |q| built(q, |l| Limits { opening: 0.0, ..l }, reached),
+            answer: |q| Self::misread(q, |q| q.opening = 0.0),
         },
         Mistake {
             name: "stops one level before the depth allows",
             hint: "With a depth of 1, how many nodes may there be?",
             answer: |q| {
-                built(
-                    q,
-                    |l| Limits {
-                        depth: l.depth.saturating_sub(1),
-                        ..l
-                    },
-                    reached,
-                )
+                Self::misread(q, |q| {
+                    q.depth = q.depth.min(Limits::DEEPEST).saturating_sub(1);
+                })
             },
         },
         Mistake {
@@ -462,50 +400,37 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "names a shape only in the first child that it reaches",
             hint: "A ray can hit a shape in any part of the shape: in which leaves must the ray find the shape?",
-            answer: |q| {
-                built(
-                    q,
-                    |l| l,
-                    |shape, cells| {
-                        let bits = reached(shape, cells);
-                        bits & bits.wrapping_neg()
-                    },
-                )
-            },
+            answer: |q| built(q, |how| how.kept = |bits| bits & bits.wrapping_neg()),
         },
         Mistake {
             name: "applies the limit on copies to each cell afresh, whatever the cuts above it have used",
             hint: "The root's cut makes as many copies as the limit allows: how many are left for the children?",
-            answer: |q| with_limit(q, |copies, _| copies),
+            answer: |q| built(q, |how| how.left = |copies, _| copies),
         },
         Mistake {
             name: "takes what a cut adds off the limit on copies, and does not divide by what it multiplies by",
             hint: "A cut makes twice as many names, and the next one twice as many again: how many are these, and how many did the limit allow?",
-            answer: |q| with_limit(q, |copies, made| copies - (made - 1.0)),
+            answer: |q| built(q, |how| how.left = |copies, made| copies - (made - 1.0)),
         },
         Mistake {
             name: "takes what a cut multiplies the names by off the limit on copies, and does not divide by it",
             hint: "A cut makes twice as many names, and the next one twice as many again: how many are these, and how many did the limit allow?",
-            answer: |q| with_limit(q, |copies, made| copies - made),
+            answer: |q| built(q, |how| how.left = |copies, made| copies - made),
         },
         Mistake {
             name: "expects a ray to meet each child with probability 1/8, not 1/4",
             hint: "Of eight children with a shape each, how many does a ray pass through on average: does it meet only one?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| q.opening + 0.125 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.expected = |parts| 0.125 * sum(parts)),
         },
         Mistake {
             name: "expects a ray to meet one child only, that with the most shapes",
             hint: "How many children does a ray pass through on its way across the cell, and with what probability does it meet each?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
+                built(q, |how| {
+                    how.expected = |parts| {
                         let most = parts.iter().map(Vec::len).max();
-                        q.opening + (most.unwrap_or(0) as f32) < n
-                    }
+                        most.unwrap_or(0) as f32
+                    };
                 })
             },
         },
@@ -513,48 +438,50 @@ impl Graded for OctreeBuild {
             name: "counts the children that are not empty, not the shapes in them",
             hint: "A ray enters a child with nine shapes: how many does it test there, nine or one?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
+                built(q, |how| {
+                    how.expected = |parts| {
                         let filled = parts.iter().filter(|part| !part.is_empty());
-                        q.opening + 0.25 * (filled.count() as f32) < n
-                    }
+                        0.25 * (filled.count() as f32)
+                    };
                 })
             },
         },
         Mistake {
             name: "cuts each cell with more than one shape, as far as the limits allow, or counts a shape once in Σ nᵢ, however many children it reaches",
             hint: "Three large shapes reach all eight children: what is Σ nᵢ, and what does a ray gain by the cut? What does your condition compare?",
-            answer: |q| by(q, |rule| rule.pays = |_, n, _| n > 1.0),
-        },
-        Mistake {
-            name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell",
-            hint: "What does a ray pay in a cell of two shapes, or of none, that is not cut, however many shapes the scene has?",
             answer: |q| {
-                by(q, |rule| {
-                    // An empty cell is cut too: opening < N.
-                    rule.pays = |q, _, parts| q.opening + 0.25 * sum(parts) < q.shapes.len() as f32;
+                built(q, |how| {
+                    how.expected = |_| f32::NEG_INFINITY;
+                    how.more_than = 1.0;
                 })
             },
         },
         Mistake {
+            name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell",
+            hint: "What does a ray pay in a cell of two shapes, or of none, that is not cut, however many shapes the scene has?",
+            answer: |q| built(q, |how| how.compared = |q, _| q.shapes.len() as f32),
+        },
+        Mistake {
             name: "takes the limit on copies for the number of names that a cut may leave",
             hint: "The limit is one on copies of each shape: how many names may there be, if the cell has n shapes?",
-            answer: |q| by(q, |rule| rule.allowed = |copies, _| copies),
+            answer: |q| built(q, |how| how.allowed = |_, copies, _| copies),
         },
         Mistake {
             name: "divides what is left of the limit on copies by eight, for the eight children",
             hint: "The limit is one on copies of each shape, on average: must a child with half of the shapes make an eighth of them?",
-            answer: |q| with_limit(q, |copies, made| copies / made.max(1.0) / 8.0),
+            answer: |q| {
+                built(q, |how| {
+                    how.left = |copies, made| copies / made.max(1.0) / 8.0;
+                })
+            },
         },
         Mistake {
             name: "allows each cell as many copies as the whole tree, and hands the limit on unchanged",
             hint: "The limit is for each shape: by how many shapes do you multiply it in a small cell, and what has the cut above it used up?",
             answer: |q| {
-                let mut of_all = q.clone();
-                of_all.copies *= q.shapes.len() as f32;
-                by(&of_all, |rule| {
-                    rule.allowed = |copies, _| copies;
-                    rule.left = |copies, _| copies;
+                built(q, |how| {
+                    how.allowed = |q, copies, _| copies * q.shapes.len() as f32;
+                    how.left = |copies, _| copies;
                 })
             },
         },
@@ -566,28 +493,27 @@ impl Graded for OctreeBuild {
                     nodes: Vec::new(),
                     names: Vec::new(),
                 };
-                depth_first(&by(q, |_| {}), 0, &mut made);
+                depth_first(&Self::right(q), 0, &mut made);
                 made
             },
         },
         Mistake {
             name: "divides what is left of the limit on copies after each child, so that the first gets all of it",
             hint: "Print the limit that each of the eight children gets: are they the same?",
-            answer: |q| by(q, |rule| rule.times = |child| [1, child]),
+            answer: |q| built(q, |how| how.times = |child| [1, child]),
         },
         Mistake {
             name: "takes a level off the depth again for each child, in the loop over the children",
             hint: "Print the depth that is left for each of the eight children: are they the same?",
-            answer: |q| by(q, |rule| rule.times = |child| [child + 1, 1]),
+            answer: |q| built(q, |how| how.times = |child| [child + 1, 1]),
         },
         Mistake {
             name: "compares the cost of a cut with the number of all shapes, not with that of the shapes in the cell, but cuts no empty cell",
             hint: "What does a ray pay in a cell of two shapes that is not cut, however many shapes the scene has?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
-                        n > 0.0 && q.opening + 0.25 * sum(parts) < q.shapes.len() as f32
-                    }
+                built(q, |how| {
+                    how.compared = |q, _| q.shapes.len() as f32;
+                    how.more_than = 0.0;
                 })
             },
         },
@@ -595,77 +521,49 @@ impl Graded for OctreeBuild {
             name: "does not cut a cell if one child would get all of its shapes",
             hint: "All shapes are in one child: does a ray that misses this child test any of them after the cut?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
-                        let is_all = parts.iter().any(|part| part.len() as f32 == n);
-                        q.opening + 0.25 * sum(parts) < n && !is_all
-                    };
+                built(q, |how| {
+                    how.may_pay = |n, parts| !parts.iter().any(|part| part.len() as f32 == n);
                 })
             },
         },
         Mistake {
             name: "does not cut a cell if one of its shapes would be in several children",
             hint: "One of nine shapes reaches two children: does the sum in the rule know of it, and can the cut pay all the same?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| q.opening + 0.25 * sum(parts) < n && sum(parts) <= n;
-                })
-            },
+            answer: |q| built(q, |how| how.may_pay = |n, parts| sum(parts) <= n),
         },
         Mistake {
             name: "makes a leaf of any cell with at most two shapes",
             hint: "Two shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| n > 2.0 && q.opening + 0.25 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.more_than = 2.0),
         },
         Mistake {
             name: "makes a leaf of any cell with at most four shapes",
             hint: "Four shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| n > 4.0 && q.opening + 0.25 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.more_than = 4.0),
         },
         Mistake {
             name: "makes a leaf of any cell with at most eight shapes",
             hint: "Eight shapes are in one child: what does a ray pay on average if the cell is a leaf, and what if it is cut?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| n > 8.0 && q.opening + 0.25 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.more_than = 8.0),
         },
         Mistake {
             name: "expects a ray to meet each child with probability 1/2, not 1/4",
             hint: "A ray passes through a cell: how many of its eight children does the ray meet on average?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| q.opening + 0.5 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.expected = |parts| 0.5 * sum(parts)),
         },
         Mistake {
             name: "adds the cost of opening in each of the eight children, with the probability of 1/4",
             hint: "How many nodes does a ray open when it enters a cut cell, before it comes to the children?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| 2.0 * q.opening + 0.25 * sum(parts) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.openings = 2.0),
         },
         Mistake {
             name: "rounds a quarter of each child's number of shapes down, as a division of integers does",
             hint: "What is 3/4 in your language, if both are integers?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
+                built(q, |how| {
+                    how.expected = |parts| {
                         let quarters = parts.iter().map(|part| part.len() / 4);
-                        let sum = quarters.sum::<usize>() as f32;
-                        q.opening + sum < n
+                        quarters.sum::<usize>() as f32
                     };
                 })
             },
@@ -673,26 +571,26 @@ impl Graded for OctreeBuild {
         Mistake {
             name: "divides the limit on copies by a rounded quotient of two numbers of names, as a division of integers gives",
             hint: "What is 3/2 in your language, if both are integers?",
-            answer: |q| with_limit(q, |copies, made| copies / made.floor().max(1.0)),
+            answer: |q| {
+                built(q, |how| {
+                    how.left = |copies, made| copies / made.floor().max(1.0);
+                })
+            },
         },
         Mistake {
             name: "takes a quarter of the cost of opening, too",
             hint: "How many nodes does a ray open when it enters a cut cell, and how many of its children does it enter?",
-            answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| 0.25 * (q.opening + sum(parts)) < n;
-                })
-            },
+            answer: |q| built(q, |how| how.openings = 0.25),
         },
         Mistake {
             name: "expects a ray to meet one child only, with the mean of the shapes of those that hold any",
             hint: "How many children does a ray pass through on its way across the cell, and does it know which of them are empty?",
             answer: |q| {
-                by(q, |rule| {
-                    rule.pays = |q, n, parts| {
+                built(q, |how| {
+                    how.expected = |parts| {
                         let full = parts.iter().filter(|part| !part.is_empty()).count();
-                        q.opening + sum(parts) / (full.max(1) as f32) < n
-                    }
+                        sum(parts) / (full.max(1) as f32)
+                    };
                 })
             },
         },

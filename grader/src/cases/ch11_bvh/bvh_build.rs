@@ -1,19 +1,14 @@
 //! `bvh_build`: random questions, judge and mistakes.
 
 use super::builders::{
-    ABSOLUTE, ALL_CUTS, ALONG_THE_LONGEST, ALONG_X, ALONG_Z, AT_THE_CENTERS_MIDDLE, AT_THE_MIDDLE,
-    AT_THE_WIDEST_GAP, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, AT_THE_WIDEST_SPACE, BY_EXTENTS,
-    BY_THE_DEARER_SIDE, BY_VOLUMES, CHEAPER, CHEAPER_BY_THE_ROOT, CHEAPER_THAN_THE_CUT,
-    CHEAPER_THAN_TWO, DEAREST, FITS, HALVES_ALONG_THE_LONGEST, HALVES_ALONG_X, IN_THE_LAST_ROW,
-    IN_TURN, SINGLE, UNSORTED, WHOLE_LESS_LEFT, WITHOUT_NUMBERS, built, chain, depth_first,
-    one_leaf, with_first, with_numbers_after_own,
+    along_the_longest, area_around, around_centers, built, by_all_cuts, dearest, depth_first, gaps,
+    halved, longest, of_full_leaves, only, spaces, with_first, with_numbers_after_own,
 };
 use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
-use super::{center, crowd, cube, heaps, no_dearer, tree};
+use super::{around, center, crowd, cube, heaps, no_dearer};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use rand::RngExt;
-use raybook::accel::bvh::build::Method;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch11_bvh::{BvhBuild, BvhBuildAnswer};
 use raybook_workbook::tree_rows::NodeRow;
@@ -89,7 +84,7 @@ impl Graded for BvhBuild {
         is_dearer.or_else(|why| {
             // The cheapest cut of every node may make a dearer tree than the reference's, of few boxes only.
             if q.boxes.len() < FEW {
-                let by_all_cuts = tree_cost(q, &built(q, ALL_CUTS, CHEAPER))?;
+                let by_all_cuts = tree_cost(q, &by_all_cuts(q))?;
                 if cost <= by_all_cuts * (1.0 + judge::RELATIVE) {
                     return Ok(());
                 }
@@ -288,27 +283,45 @@ impl Graded for BvhBuild {
         Mistake {
             name: "cuts into halves by the number of boxes along x, and asks the cheapest cut only whether to cut at all",
             hint: "You have found the cheapest cut: on which side of it is each box, and on which side do you put it?",
-            answer: |q| built(q, HALVES_ALONG_X, CHEAPER),
+            answer: |q| built(q, |how| how.place = |_, which, _| (0, which.len() / 2)),
         },
         Mistake {
             name: "cuts into halves by the number of boxes along the longest axis, and asks the cheapest cut only whether to cut at all",
             hint: "You have found the cheapest cut: on which side of it is each box, and on which side do you put it?",
-            answer: |q| built(q, HALVES_ALONG_THE_LONGEST, CHEAPER),
+            answer: |q| {
+                built(q, |how| {
+                    how.place =
+                        |q, which, _| (along_the_longest(q, which, 0).start, which.len() / 2);
+                })
+            },
         },
         Mistake {
             name: "cuts every node into halves by the number of boxes",
             hint: "One box lies far away from nine others: should any of the nine share a side with it?",
-            answer: |q| tree(&q.boxes, Method::Median, q.most),
+            answer: |q| {
+                of_full_leaves(q, |how| {
+                    how.axes = |q, which, _| longest(&around_centers(q, which));
+                    how.ranks = |row| only(row, row.order.len() / 2);
+                    how.fits = |count, most| 2 * count <= most;
+                })
+            },
         },
         Mistake {
             name: "cuts off one box at a time",
             hint: "How many boxes does a ray test in a tree that is one long branch?",
-            answer: chain,
+            answer: |q| {
+                built(q, |how| {
+                    how.is_sorted = false;
+                    how.axes = |_, _, _| 0..1;
+                    how.ranks = |row| only(row, 1);
+                    how.is_leaf = |_| false;
+                })
+            },
         },
         Mistake {
             name: "makes one leaf of all",
             hint: "A tree of one leaf is a list: what does a search in it cost?",
-            answer: one_leaf,
+            answer: |q| of_full_leaves(q, |how| how.fits = |_, _| true),
         },
         Mistake {
             name: "gives every node the box of all",
@@ -337,13 +350,7 @@ impl Graded for BvhBuild {
         Mistake {
             name: "lets every leaf begin at the start of the order",
             hint: "Where does the second leaf begin in the order?",
-            answer: |q| {
-                let mut tree = BvhBuild::right(q);
-                for node in tree.nodes.iter_mut().filter(|n| n.count > 0) {
-                    node.first = 0;
-                }
-                tree
-            },
+            answer: |q| with_first(q, |_, _| 0),
         },
         Mistake {
             name: NUMBER_OF_A_BOX,
@@ -351,7 +358,7 @@ impl Graded for BvhBuild {
             answer: |q| {
                 let BvhBuildAnswer { mut nodes, order } = BvhBuild::right(q);
                 for node in nodes.iter_mut().filter(|n| n.count > 0) {
-                    node.first = order[node.first as usize];
+                    node.first = *order.get(node.first as usize).unwrap_or(&node.first);
                 }
                 BvhBuildAnswer { nodes, order }
             },
@@ -359,111 +366,134 @@ impl Graded for BvhBuild {
         Mistake {
             name: "makes a leaf of all that a leaf can hold, without asking whether a cut is cheaper",
             hint: "A leaf of four costs four tests wherever the ray is in it: what would two leaves of two cost, and how often would each be opened?",
-            answer: |q| built(q, ALL_CUTS, FITS),
+            answer: |q| built(q, |how| how.is_leaf = |_| true),
         },
         Mistake {
             name: "forgets the cost of opening a branch",
             hint: "Is a branch free for a ray that enters it?",
-            answer: |q| built(q, ALL_CUTS, CHEAPER_THAN_THE_CUT),
+            answer: |q| built(q, |how| how.opening = 0.0),
         },
         Mistake {
             name: "does not divide the cost of a cut by the area of the node's box",
             hint: "Of a scene measured in millimetres, an area is a million times as large as in metres: do you make the same tree of it?",
-            answer: |q| built(q, ALL_CUTS, ABSOLUTE),
+            answer: |q| built(q, |how| how.own = |_, _| 1.0),
         },
         Mistake {
             name: "makes leaves of single boxes only",
             hint: "Two boxes that lie in the same place: what does a ray gain if they are in two leaves?",
-            answer: |q| built(q, ALL_CUTS, SINGLE),
+            answer: |q| built(q, |how| how.is_leaf = |_| false),
         },
         Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: |q| built(q, WITHOUT_NUMBERS, CHEAPER),
+            answer: |q| built(q, |how| how.count = |_| 1.0),
         },
         Mistake {
             name: "leaves the numbers of boxes out of the cost of a cut, and makes a leaf of all that it can hold",
             hint: "A ray that enters a side tests what is in it: does a side of nine boxes cost as much as a side of one?",
-            answer: |q| built(q, WITHOUT_NUMBERS, FITS),
+            answer: |q| of_full_leaves(q, |how| how.count = |_| 1.0),
         },
         Mistake {
             name: "weighs the sides of a cut by their volume",
             hint: "A flat box has no volume: do rays enter it?",
-            answer: |q| built(q, BY_VOLUMES, CHEAPER),
+            answer: |q| built(q, |how| how.size = |around| around.size().element_product()),
         },
         Mistake {
             name: "weighs the sides of a cut by their volume, and makes a leaf of all that it can hold",
             hint: "A flat box has no volume: do rays enter it?",
-            answer: |q| built(q, BY_VOLUMES, FITS),
+            answer: |q| {
+                of_full_leaves(q, |how| how.size = |around| around.size().element_product())
+            },
         },
         Mistake {
             name: "adds the extents of a side's box for its area",
             hint: "In which unit is an area, and in which is your sum?",
-            answer: |q| built(q, BY_EXTENTS, CHEAPER),
+            answer: |q| built(q, |how| how.size = |around| around.size().element_sum()),
         },
         Mistake {
             name: "tries cuts along x only",
             hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
-            answer: |q| built(q, ALONG_X, CHEAPER),
+            answer: |q| built(q, |how| how.axes = |_, _, _| 0..1),
         },
         Mistake {
             name: "tries cuts along x only, and makes a leaf of all that it can hold",
             hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
-            answer: |q| built(q, ALONG_X, FITS),
+            answer: |q| of_full_leaves(q, |how| how.axes = |_, _, _| 0..1),
         },
         Mistake {
             name: "tries cuts along z only, or forgets the best along x and y",
             hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
-            answer: |q| built(q, ALONG_Z, CHEAPER),
+            answer: |q| built(q, |how| how.axes = |_, _, _| 2..3),
         },
         Mistake {
             name: "tries cuts along z only, or forgets the best along x and y, and makes a leaf of all that it can hold",
             hint: "You keep the best cut while you try the places along an axis: what becomes of it when you go on to the next axis?",
-            answer: |q| built(q, ALONG_Z, FITS),
+            answer: |q| of_full_leaves(q, |how| how.axes = |_, _, _| 2..3),
         },
         Mistake {
             name: "tries cuts along the longest axis of a node's box only",
             hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
-            answer: |q| built(q, ALONG_THE_LONGEST, CHEAPER),
+            answer: |q| built(q, |how| how.axes = along_the_longest),
         },
         Mistake {
             name: "tries cuts along the longest axis of a node's box only, and makes a leaf of all that it can hold",
             hint: "Nine boxes lie side by side along x, and one far above them: must the best cut be along x?",
-            answer: |q| built(q, ALONG_THE_LONGEST, FITS),
+            answer: |q| of_full_leaves(q, |how| how.axes = along_the_longest),
         },
         Mistake {
             name: "cuts at the middle of a node's box along its longest axis",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| built(q, AT_THE_MIDDLE, CHEAPER),
+            answer: |q| {
+                built(q, |how| {
+                    how.axes = along_the_longest;
+                    how.ranks = |row| halved(row, &around(&row.q.boxes, &row.order));
+                })
+            },
         },
         Mistake {
             name: "cuts at the middle of a node's box along its longest axis, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| built(q, AT_THE_MIDDLE, FITS),
+            answer: |q| {
+                of_full_leaves(q, |how| {
+                    how.axes = along_the_longest;
+                    how.ranks = |row| halved(row, &around(&row.q.boxes, &row.order));
+                })
+            },
         },
         Mistake {
             name: "cuts at the middle of the boxes' centres along their longest axis, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: how many cuts does it take until a cut at the middle parts the nine?",
-            answer: |q| built(q, AT_THE_CENTERS_MIDDLE, FITS),
+            answer: |q| {
+                of_full_leaves(q, |how| {
+                    how.axes = |q, which, _| longest(&around_centers(q, which));
+                    how.ranks = |row| halved(row, &around_centers(row.q, &row.order));
+                })
+            },
         },
         Mistake {
             name: "makes a node's box around the centres of its boxes",
             hint: "A shape reaches beyond its centre: which node finds the part outside the box?",
             answer: |q| {
-                let points = q.boxes.iter().map(|row| cube(center(row), 0.0));
-                let boxes: Vec<_> = points.collect();
-                tree(&boxes, Method::Binned, q.most)
+                let points = q.boxes.iter().map(|row| cube(center(row), 0.0)).collect();
+                Self::misread(q, |q| q.boxes = points)
             },
         },
         Mistake {
             name: "divides the cost of a cut by the area of the root's box, not by that of the node's",
             hint: "A ray is already in the node's box: with what probability does it meet a side of the cut then?",
-            answer: |q| built(q, ALL_CUTS, CHEAPER_BY_THE_ROOT),
+            answer: |q| {
+                built(q, |how| {
+                    how.own = |q, _| {
+                        let all: Vec<_> = (0..q.boxes.len() as u32).collect();
+                        area_around(q, &all)
+                    };
+                })
+            },
         },
         Mistake {
             name: "lets a branch cost two tests, one for each child's box",
             hint: "What does the task say that opening a branch costs?",
-            answer: |q| built(q, ALL_CUTS, CHEAPER_THAN_TWO),
+            answer: |q| built(q, |how| how.opening = 2.0),
         },
         Mistake {
             name: "lets a leaf hold one box less than it may",
@@ -473,17 +503,26 @@ impl Graded for BvhBuild {
         Mistake {
             name: "takes the whole area less the left side's for that of the right side",
             hint: "Two boxes around the two halves of a cube: do their areas come to that of the cube?",
-            answer: |q| built(q, WHOLE_LESS_LEFT, CHEAPER),
+            answer: |q| {
+                built(q, |how| {
+                    how.right = |left, right, size| size(&left.union(right)) - size(left);
+                })
+            },
         },
         Mistake {
             name: "cuts the row in the middle, along x, y and z in turn, and makes a leaf of all that it can hold",
             hint: "One box lies far away from nine others: what does your rule know of areas?",
-            answer: |q| built(q, IN_TURN, FITS),
+            answer: |q| {
+                of_full_leaves(q, |how| {
+                    how.axes = |_, _, depth| depth % 3..depth % 3 + 1;
+                    how.ranks = |row| only(row, row.order.len() / 2);
+                })
+            },
         },
         Mistake {
             name: SECOND_CHILD,
             hint: "A search finds both children of a branch at its `first`, side by side: which two nodes stand there in your list?",
-            answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 1),
+            answer: |q| built(q, |how| how.numbered = |tree| depth_first(&tree, 1)),
         },
         Mistake {
             name: NUMBER_AFTER_OWN,
@@ -493,7 +532,7 @@ impl Graded for BvhBuild {
         Mistake {
             name: FIRST_CHILD,
             hint: "The two children of a branch stand side by side: how long is the list of nodes when you append the second of them, if the first is a branch?",
-            answer: |q| depth_first(&built(q, ALL_CUTS, CHEAPER), 0),
+            answer: |q| built(q, |how| how.numbered = |tree| depth_first(&tree, 0)),
         },
         Mistake {
             name: END_OF_A_LEAF,
@@ -519,72 +558,72 @@ impl Graded for BvhBuild {
         Mistake {
             name: "cuts where the gap between two neighbouring centres is widest",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_GAP, CHEAPER),
+            answer: |q| built(q, |how| how.ranks = gaps),
         },
         Mistake {
             name: "cuts where the gap between two neighbouring centres is widest, and makes a leaf of all that it can hold",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_GAP, FITS),
+            answer: |q| of_full_leaves(q, |how| how.ranks = gaps),
         },
         Mistake {
             name: "cuts where the gap between two neighbouring centres is widest, along the longest axis of a node's box only",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, CHEAPER),
+            answer: |q| built(q, |how| (how.axes, how.ranks) = (along_the_longest, gaps)),
         },
         Mistake {
             name: "cuts where the gap between two neighbouring centres is widest, along the longest axis of a node's box only, and makes a leaf of all that it can hold",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_GAP_ALONG_THE_LONGEST, FITS),
+            answer: |q| of_full_leaves(q, |how| (how.axes, how.ranks) = (along_the_longest, gaps)),
         },
         Mistake {
             name: "cuts where the empty space between two sides is widest",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_SPACE, CHEAPER),
+            answer: |q| built(q, |how| how.ranks = spaces),
         },
         Mistake {
             name: "cuts where the empty space between two sides is widest, and makes a leaf of all that it can hold",
             hint: "Ten boxes are in a row, and only the last lies a little apart: how many boxes are on each side of your cut, and what does it cost?",
-            answer: |q| built(q, AT_THE_WIDEST_SPACE, FITS),
+            answer: |q| of_full_leaves(q, |how| how.ranks = spaces),
         },
         Mistake {
             name: "takes the cost of the dearer side for that of the cut",
             hint: "A ray may enter both sides of a cut: which of their costs does it pay on average?",
-            answer: |q| built(q, BY_THE_DEARER_SIDE, CHEAPER),
+            answer: |q| built(q, |how| how.sum = f32::max),
         },
         Mistake {
             name: "takes the cost of the dearer side for that of the cut, and makes a leaf of all that it can hold",
             hint: "A ray may enter both sides of a cut: which of their costs does it pay on average?",
-            answer: |q| built(q, BY_THE_DEARER_SIDE, FITS),
+            answer: |q| of_full_leaves(q, |how| how.sum = f32::max),
         },
         Mistake {
             name: "cuts the boxes in the order in which they are stored, without sorting them",
             hint: "Two heaps of boxes are stored in turn: which cuts of the row part the heaps, as long as nobody sorts it?",
-            answer: |q| built(q, UNSORTED, CHEAPER),
+            answer: |q| built(q, |how| how.is_sorted = false),
         },
         Mistake {
             name: "cuts the boxes in the order in which they are stored, without sorting them, and makes a leaf of all that it can hold",
             hint: "Two heaps of boxes are stored in turn: which cuts of the row part the heaps, as long as nobody sorts it?",
-            answer: |q| built(q, UNSORTED, FITS),
+            answer: |q| of_full_leaves(q, |how| how.is_sorted = false),
         },
         Mistake {
             name: "takes the dearest cut",
             hint: "Print the costs of all cuts of the root, and that of the cut that you take: which of them is it?",
-            answer: |q| built(q, DEAREST, CHEAPER),
+            answer: |q| built(q, |how| how.ranks = dearest),
         },
         Mistake {
             name: "takes the dearest cut, and makes a leaf of all that it can hold",
             hint: "Print the costs of all cuts of the root, and that of the cut that you take: which of them is it?",
-            answer: |q| built(q, DEAREST, FITS),
+            answer: |q| of_full_leaves(q, |how| how.ranks = dearest),
         },
         Mistake {
             name: "cuts at the best cut's place, but in the row that is sorted along z",
             hint: "After you have tried all three axes: along which of them is your row sorted, and along which was the best cut?",
-            answer: |q| built(q, IN_THE_LAST_ROW, CHEAPER),
+            answer: |q| built(q, |how| how.place = |_, _, (_, at)| (2, at)),
         },
         Mistake {
             name: "cuts at the best cut's place, but in the row that is sorted along z, and makes a leaf of all that it can hold",
             hint: "After you have tried all three axes: along which of them is your row sorted, and along which was the best cut?",
-            answer: |q| built(q, IN_THE_LAST_ROW, FITS),
+            answer: |q| of_full_leaves(q, |how| how.place = |_, _, (_, at)| (2, at)),
         },
     ];
 }

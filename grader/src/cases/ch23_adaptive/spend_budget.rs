@@ -1,5 +1,6 @@
 //! `spend_budget`: random questions, judge and mistakes.
 
+use crate::upon::changed;
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -15,32 +16,62 @@ fn variance(deviations: &[f32], counts: &[u32]) -> f64 {
         .sum()
 }
 
-/// `floor` for each pixel and the rest of the budget in proportion to weights; what rounding leaves goes to the first ones.
-fn shares(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
-    hand_out(q, rounded_down(q, floor, weight))
+/// How a budget is spent; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+struct How {
+    /// What of a pixel's deviation its share is in proportion to.
+    weight: fn(deviation: f32) -> f32,
+    /// The pixels' shares before they are rounded; the weights are given for the deviations.
+    shares: fn(q: &SpendBudget) -> Vec<f32>,
+    /// A share as a whole number.
+    rounded: fn(share: f32) -> f32,
+    /// The pixels that get what rounding leaves of the budget, in turn. One alone pays what is too much, too.
+    rest: Turns,
+    /// What a pixel gets in the end.
+    count: fn(count: u32, least: u32) -> u32,
 }
 
-/// What the counts leave of the budget goes to the first ones.
-fn hand_out(q: &SpendBudget, mut counts: Vec<u32>) -> Vec<u32> {
-    let left = q.budget.saturating_sub(counts.iter().sum()) as usize;
-    let pixels = counts.len();
-    (0..left).for_each(|i| counts[i % pixels] += 1);
-    counts
+/// Some of the pixels whose shares are rounded.
+type Turns = fn(q: &SpendBudget, shares: &[f32]) -> Vec<usize>;
+
+/// As it should be: another way to round is as good.
+const WELL: How = How {
+    weight: |deviation| deviation,
+    shares: |q| shared(q, q.deviations.len()),
+    rounded: down,
+    rest: |_, shares| (0..shares.len()).collect(),
+    count: |count, _| count,
+};
+
+/// What each pixel gets, rightly but for what is changed.
+fn spent(q: &SpendBudget, change: impl FnOnce(&mut How)) -> Vec<u32> {
+    let how = changed(WELL, change);
+    let weights = q.deviations.iter().copied().map(how.weight);
+    let shares = (how.shares)(&SpendBudget {
+        deviations: weights.collect(),
+        ..q.clone()
+    });
+    let rounded = shares.iter().map(|share| (how.rounded)(*share) as u32);
+    let mut counts: Vec<_> = rounded.collect();
+    let left = i64::from(q.budget) - counts.iter().copied().map(i64::from).sum::<i64>();
+    match (how.rest)(q, &shares)[..] {
+        [one] => counts[one] = (i64::from(counts[one]) + left).max(0) as u32,
+        ref turns => {
+            let turns = turns.iter().cycle().take(left.max(0) as usize);
+            turns.for_each(|i| counts[*i] += 1);
+        }
+    }
+    let counts = counts.into_iter();
+    counts.map(|count| (how.count)(count, q.least)).collect()
 }
 
-fn rounded_down(q: &SpendBudget, floor: u32, weight: fn(f32) -> f32) -> Vec<u32> {
-    let sum: f32 = q.deviations.iter().map(|d| weight(*d)).sum();
-    let rest = (q.budget - floor * q.deviations.len() as u32) as f32;
-    let share = |d: &f32| if sum > 0.0 { weight(*d) / sum } else { 0.0 };
-    let count = |d| floor + (share(d) * rest) as u32;
-    q.deviations.iter().map(count).collect()
-}
-
-/// The best shares before they are rounded: in proportion to the deviations, and the minimum where that would be less (Neyman 1934).
-fn best(q: &SpendBudget) -> Vec<f32> {
+/// In proportion to the deviations, and the minimum where that would be less (Neyman 1934). As what the minimum takes from the others may make their
+/// shares too small as well, it is looked for such shares again and again: this number of times at most.
+fn shared(q: &SpendBudget, looks: usize) -> Vec<f32> {
     let least = q.least as f32;
+    let mut shares = Vec::new();
     let mut is_quiet = vec![false; q.deviations.len()];
-    loop {
+    for _ in 0..=looks {
         let pixels = || q.deviations.iter().zip(&is_quiet);
         let sum: f32 = pixels().filter(|(_, quiet)| !**quiet).map(|(d, _)| d).sum();
         if sum <= 0.0 {
@@ -49,47 +80,46 @@ fn best(q: &SpendBudget) -> Vec<f32> {
         let quiet = pixels().filter(|(_, quiet)| **quiet).count() as f32;
         let factor = (q.budget as f32 - quiet * least) / sum;
         let share = |(d, quiet): (&f32, &bool)| if *quiet { least } else { factor * d };
-        let shares: Vec<_> = pixels().map(share).collect();
-        let Some(next) = shares.iter().position(|n| *n < least) else {
-            return shares;
+        shares = pixels().map(share).collect();
+        let quiet: Vec<_> = shares.iter().map(|n| *n <= least).collect();
+        if quiet == is_quiet {
+            break;
+        }
+        is_quiet = quiet;
+    }
+    shares
+}
+
+/// `floor` for each pixel, and the rest of the budget in proportion to the deviations.
+fn above(floor: u32, q: &SpendBudget) -> Vec<f32> {
+    let sum: f32 = q.deviations.iter().sum();
+    let rest = (q.budget - floor * q.deviations.len() as u32) as f32;
+    let share = |d: &f32| if sum > 0.0 { d / sum } else { 0.0 };
+    let shares = q.deviations.iter().map(share);
+    shares.map(|share| floor as f32 + share * rest).collect()
+}
+
+fn in_proportion(q: &SpendBudget) -> Vec<f32> {
+    above(0, q)
+}
+
+fn least_first(q: &SpendBudget) -> Vec<f32> {
+    above(q.least, q)
+}
+
+/// Half of the budget equally, and the other half in proportion; no less than the minimum.
+fn half_equally(q: &SpendBudget) -> Vec<f32> {
+    let (pixels, sum) = (q.deviations.len() as f32, q.deviations.iter().sum::<f32>());
+    let half = 0.5 * q.budget as f32;
+    let share = |d: &f32| {
+        let own = if sum > 0.0 {
+            half * d / sum
+        } else {
+            half / pixels
         };
-        is_quiet[next] = true;
-    }
-}
-
-/// The best shares, each rounded to a whole number; what that leaves goes to one pixel, or is taken from it.
-fn rest_to_one(q: &SpendBudget, rounded: fn(f32) -> f32, pixel: fn(&[f32]) -> usize) -> Vec<u32> {
-    let shares = best(q).into_iter();
-    let mut counts: Vec<_> = shares.map(|share| rounded(share) as u32).collect();
-    let spent = counts.iter().sum();
-    if let Some(count) = counts.get_mut(pixel(&q.deviations)) {
-        *count = (*count + q.budget).saturating_sub(spent);
-    }
-    counts
-}
-
-/// The best shares for other deviations, made of the right ones.
-fn best_for(q: &SpendBudget, weight: fn(f32) -> f32) -> Vec<f32> {
-    best(&SpendBudget {
-        deviations: q.deviations.iter().map(|d| weight(*d)).collect(),
-        ..q.clone()
-    })
-}
-
-/// Shares rounded down; what that leaves goes to the pixels that lost most by it.
-fn largest_remainders(q: &SpendBudget, shares: &[f32]) -> Vec<u32> {
-    let mut counts: Vec<_> = shares.iter().map(|share| down(*share) as u32).collect();
-    let left = q.budget.saturating_sub(counts.iter().sum()) as usize;
-    let lost = |i: &usize| shares[*i] - down(shares[*i]);
-    let mut order: Vec<_> = (0..counts.len()).collect();
-    order.sort_by(|one, other| lost(other).total_cmp(&lost(one)));
-    order.iter().take(left).for_each(|i| counts[*i] += 1);
-    counts
-}
-
-/// Shares rounded down; what that leaves goes to the first pixels.
-fn first_ones(q: &SpendBudget, shares: &[f32]) -> Vec<u32> {
-    hand_out(q, shares.iter().map(|share| down(*share) as u32).collect())
+        (half / pixels + own).max(q.least as f32)
+    };
+    q.deviations.iter().map(share).collect()
 }
 
 /// Rounds down; a share just below a whole number, by rounding, counts as that number.
@@ -97,30 +127,26 @@ fn down(share: f32) -> f32 {
     (share + 1e-4).floor()
 }
 
-fn last(deviations: &[f32]) -> usize {
-    deviations.len().saturating_sub(1)
-}
+/// Nobody gets the rest.
+const LOST: Turns = |_, _| Vec::new();
 
-/// The pixel of the largest deviation; of equal ones the first.
-fn noisiest(deviations: &[f32]) -> usize {
-    let largest = deviations.iter().copied().fold(0.0, f32::max);
-    deviations.iter().position(|d| *d == largest).unwrap_or(0)
-}
+/// Those get it that lost most by being rounded down.
+const BY_REMAINDERS: Turns = |_, shares| {
+    let lost = |i: &usize| shares[*i] - down(shares[*i]);
+    let mut turns: Vec<_> = (0..shares.len()).collect();
+    turns.sort_by(|one, other| lost(other).total_cmp(&lost(one)));
+    turns
+};
 
-/// The minimum for pixels whose share would be smaller, and what that leaves in proportion among the others, once.
-fn shared_once(q: &SpendBudget) -> Vec<f32> {
-    let (budget, least) = (q.budget as f32, q.least as f32);
-    let all: f32 = q.deviations.iter().sum();
-    let is_quiet = |d: &f32| budget * d < least * all;
-    let quiet = q.deviations.iter().filter(|d| is_quiet(d)).count() as f32;
-    let others: f32 = q.deviations.iter().filter(|d| !is_quiet(d)).sum();
-    if others <= 0.0 {
-        return best(q);
-    }
-    let factor = (budget - quiet * least) / others;
-    let share = |d: &f32| if is_quiet(d) { least } else { factor * d };
-    q.deviations.iter().map(share).collect()
-}
+/// The last pixel gets it.
+const TO_THE_LAST: Turns = |_, shares| (0..shares.len()).next_back().into_iter().collect();
+
+/// The pixel of the largest deviation gets it; of equal ones the first.
+const TO_THE_NOISIEST: Turns = |q, _| {
+    let largest = q.deviations.iter().copied().fold(0.0, f32::max);
+    let noisiest = q.deviations.iter().position(|d| *d == largest);
+    noisiest.into_iter().collect()
+};
 
 impl Graded for SpendBudget {
     fn random(rng: &mut Pcg) -> SpendBudget {
@@ -230,95 +256,99 @@ impl Graded for SpendBudget {
         Mistake {
             name: "gives all pixels the same",
             hint: "A pixel whose samples are all alike: what does it gain by another one?",
-            answer: |q| shares(q, q.least, |_| 1.0),
+            answer: |q| spent(q, |how| how.weight = |_| 1.0),
         },
         Mistake {
             name: "shares by the variance",
             hint: "Twice the deviation: does that want twice the samples, or four times as many? Try two pixels by hand.",
-            answer: |q| shares(q, q.least, |d| d * d),
+            answer: |q| {
+                spent(q, |how| {
+                    (how.weight, how.shares) = (|d: f32| d * d, least_first);
+                })
+            },
         },
         Mistake {
             name: "shares by the root of the deviation",
             hint: "Twice the deviation: does that want twice the samples, or fewer? Try two pixels by hand.",
-            answer: |q| shares(q, q.least, f32::sqrt),
+            answer: |q| spent(q, |how| (how.weight, how.shares) = (f32::sqrt, least_first)),
         },
         Mistake {
             name: "shares without the minimum, so that quiet pixels get too little",
             hint: "Does each of your pixels get its minimum?",
-            answer: |q| shares(q, 0, |d| d),
+            answer: |q| spent(q, |how| how.shares = in_proportion),
         },
         Mistake {
             name: "gives each pixel its minimum, and shares only the rest in proportion",
             hint: "Two pixels, one with twice the deviation of the other, and a small minimum: has the noisier one twice the samples, all counted?",
-            answer: |q| shares(q, q.least, |d| d),
+            answer: |q| spent(q, |how| how.shares = least_first),
         },
         Mistake {
             name: "gives all that is left beyond the minimum to the pixel of the largest deviation",
             hint: "When the worst pixel has ten times as many samples as the others, is it still the worst?",
             answer: |q| {
-                let mut counts = vec![q.least; q.deviations.len()];
-                let left = q.budget - counts.iter().sum::<u32>();
-                let worst =
-                    (0..counts.len()).max_by(|i, j| q.deviations[*i].total_cmp(&q.deviations[*j]));
-                if let Some(worst) = worst {
-                    counts[worst] += left;
-                }
-                counts
+                spent(q, |how| {
+                    how.shares = |q| vec![q.least as f32; q.deviations.len()];
+                    how.rest = TO_THE_NOISIEST;
+                })
             },
         },
         Mistake {
             name: "loses what it rounds down",
             hint: "Add up your samples: is the sum the budget?",
-            answer: |q| rounded_down(q, q.least, |d| d),
+            answer: |q| spent(q, |how| (how.shares, how.rest) = (least_first, LOST)),
         },
         Mistake {
             name: "gives all that rounding leaves to the last pixel",
             hint: "Each share was rounded down by less than one sample: how many of the samples left over should one pixel get?",
-            answer: |q| rest_to_one(q, down, last),
+            answer: |q| spent(q, |how| how.rest = TO_THE_LAST),
         },
         Mistake {
             name: "raises shares to the minimum without taking that from the others",
             hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
-            answer: |q| {
-                let counts = shares(q, 0, |d| d).into_iter();
-                counts.map(|n| n.max(q.least)).collect()
-            },
+            answer: |q| spent(q, |how| (how.shares, how.count) = (in_proportion, u32::max)),
         },
         Mistake {
             name: "gives each pixel its minimum on top of the budget",
             hint: "Add up your samples: is the sum the budget?",
             answer: |q| {
-                let counts = shares(q, 0, |d| d);
-                counts.into_iter().map(|n| n + q.least).collect()
+                spent(q, |how| {
+                    (how.shares, how.count) =
+                        (in_proportion, |count: u32, least: u32| count + least);
+                })
             },
         },
         Mistake {
             name: "rounds each share down, raised to the minimum without taking that from the others",
             hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
             answer: |q| {
-                let counts = rounded_down(q, 0, |d| d).into_iter();
-                counts.map(|n| n.max(q.least)).collect()
+                spent(q, |how| {
+                    (how.shares, how.rest, how.count) = (in_proportion, LOST, u32::max);
+                })
             },
         },
         Mistake {
             name: "rounds each share to the nearest number",
             hint: "Add up your samples: is the sum the budget? A half up here and a half down there need not cancel.",
-            answer: |q| best(q).iter().map(|n| n.round() as u32).collect(),
+            answer: |q| spent(q, |how| (how.rounded, how.rest) = (f32::round, LOST)),
         },
         Mistake {
             name: "rounds each share up",
             hint: "Add up your samples: is the sum the budget?",
-            answer: |q| best(q).iter().map(|n| n.ceil() as u32).collect(),
+            answer: |q| spent(q, |how| (how.rounded, how.rest) = (f32::ceil, LOST)),
         },
         Mistake {
             name: "rounds each share down, and loses the rest",
             hint: "Add up your samples: is the sum the budget?",
-            answer: |q| best(q).iter().map(|n| n.floor() as u32).collect(),
+            answer: |q| spent(q, |how| (how.rounded, how.rest) = (f32::floor, LOST)),
         },
         Mistake {
             name: "shares in inverse proportion to the deviation",
             hint: "Twice the deviation: does that want more samples, or fewer?",
-            answer: |q| shares(q, q.least, |d| 1.0 / d.max(1e-6)),
+            answer: |q| {
+                spent(q, |how| {
+                    (how.weight, how.shares) = (|d: f32| 1.0 / d.max(1e-6), least_first);
+                })
+            },
         },
         Mistake {
             name: "returns the counts by size, the least first",
@@ -352,33 +382,37 @@ impl Graded for SpendBudget {
         Mistake {
             name: "gives all that rounding leaves to the pixel of the largest deviation",
             hint: "Each share was rounded by less than one sample: how many of the samples left over should one pixel get?",
-            answer: |q| rest_to_one(q, down, noisiest),
+            answer: |q| spent(q, |how| how.rest = TO_THE_NOISIEST),
         },
         Mistake {
             name: "gives all that rounding leaves to the first pixel",
             hint: "Each share was rounded by less than one sample: how many of the samples left over should one pixel get?",
-            answer: |q| rest_to_one(q, down, |_| 0),
+            answer: |q| {
+                spent(q, |how| {
+                    how.rest = |_, shares| (0..shares.len().min(1)).collect();
+                })
+            },
         },
         Mistake {
             name: "rounds each share to the nearest number, and lets the last pixel have or pay the difference",
             hint: "Does the last pixel keep its minimum when it pays for what was rounded up?",
-            answer: |q| rest_to_one(q, f32::round, last),
+            answer: |q| spent(q, |how| (how.rounded, how.rest) = (f32::round, TO_THE_LAST)),
         },
         Mistake {
             name: "looks only once for pixels that get the minimum",
             hint: "A pixel that gets the minimum leaves less for the others: may another one fall below the minimum by that?",
-            answer: |q| {
-                let shares = shared_once(q).into_iter();
-                hand_out(q, shares.map(|share| down(share) as u32).collect())
-            },
+            answer: |q| spent(q, |how| how.shares = |q| shared(q, 1)),
         },
         Mistake {
             name: "looks only once for pixels whose share is below the minimum, and raises those that fall below it later on top of the budget",
             hint: "A pixel that gets the minimum leaves less for the others: may another one fall below the minimum by that?",
             answer: |q| {
-                let shares = shared_once(q).into_iter();
-                let counts = shares.map(|share| (down(share) as u32).max(q.least));
-                hand_out(q, counts.collect())
+                spent(q, |how| {
+                    how.shares = |q| {
+                        let raised = shared(q, 1).into_iter();
+                        raised.map(|share| share.max(q.least as f32)).collect()
+                    };
+                })
             },
         },
         Mistake {
@@ -386,10 +420,7 @@ impl Graded for SpendBudget {
             hint: "Of a picture whose samples are all alike, is the whole budget spent too?",
             answer: |q| {
                 if q.deviations.iter().all(|d| *d == 0.0) {
-                    best(q)
-                        .into_iter()
-                        .map(|share| down(share) as u32)
-                        .collect()
+                    spent(q, |how| how.rest = LOST)
                 } else {
                     Self::right(q)
                 }
@@ -416,48 +447,53 @@ impl Graded for SpendBudget {
         Mistake {
             name: "shares by the variance (the minimum taken into account, and the largest remainders rounded up)",
             hint: "Twice the deviation: does that want four times the samples? Try two pixels by hand.",
-            answer: |q| largest_remainders(q, &best_for(q, |d| d * d)),
+            answer: |q| {
+                spent(q, |how| {
+                    (how.weight, how.rest) = (|d: f32| d * d, BY_REMAINDERS);
+                })
+            },
         },
         Mistake {
             name: "shares by the variance (the minimum taken into account, and what rounding leaves given to the first pixels)",
             hint: "Twice the deviation: does that want four times the samples? Try two pixels by hand.",
-            answer: |q| first_ones(q, &best_for(q, |d| d * d)),
+            answer: |q| spent(q, |how| how.weight = |d| d * d),
         },
         Mistake {
             name: "shares by the root of the deviation (the minimum taken into account, and the largest remainders rounded up)",
             hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
-            answer: |q| largest_remainders(q, &best_for(q, f32::sqrt)),
+            answer: |q| spent(q, |how| (how.weight, how.rest) = (f32::sqrt, BY_REMAINDERS)),
         },
         Mistake {
             name: "shares by the root of the deviation (the minimum taken into account, and what rounding leaves given to the first pixels)",
             hint: "Twice the deviation: does that want twice the samples? Try two pixels by hand.",
-            answer: |q| first_ones(q, &best_for(q, f32::sqrt)),
+            answer: |q| spent(q, |how| how.weight = f32::sqrt),
         },
         Mistake {
             name: "gives each further sample to the pixel with the largest σ²/n, not to the one whose σ²/n it lowers most",
             hint: "Two pixels have the same σ²/n, one of 2 samples and one of 20: for which of them does another sample lower it more?",
-            answer: |q| one_by_one(q, |d, n| d * d / n),
+            answer: |q| {
+                spent(q, |how| {
+                    how.shares = |q| one_by_one(q, |d, n| d * d / n);
+                })
+            },
         },
         Mistake {
             name: "gives each further sample to the pixel whose σ/√n it lowers most, not to the one whose σ²/n it lowers most",
             hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
-            answer: |q| one_by_one(q, |d, n| d * (1.0 / n.sqrt() - 1.0 / (n + 1.0).sqrt())),
+            answer: |q| {
+                spent(q, |how| {
+                    how.shares =
+                        |q| one_by_one(q, |d, n| d * (1.0 / n.sqrt() - 1.0 / (n + 1.0).sqrt()));
+                })
+            },
         },
         Mistake {
             name: "shares half of the budget equally, and the other half in proportion",
             hint: "Two pixels without a minimum, one with twice the deviation of the other: has the noisier one twice the samples?",
             answer: |q| {
-                let (pixels, sum) = (q.deviations.len(), q.deviations.iter().sum::<f32>());
-                let half = 0.5 * q.budget as f32;
-                let share = |d: &f32| {
-                    let own = if sum > 0.0 {
-                        half * d / sum
-                    } else {
-                        half / pixels as f32
-                    };
-                    (half / pixels as f32 + own).max(q.least as f32)
-                };
-                largest_remainders(q, &q.deviations.iter().map(share).collect::<Vec<_>>())
+                spent(q, |how| {
+                    (how.shares, how.rest) = (half_equally, BY_REMAINDERS);
+                })
             },
         },
         Mistake {
@@ -472,21 +508,24 @@ impl Graded for SpendBudget {
         Mistake {
             name: "shares by σ^(2/3) (the minimum taken into account, and the largest remainders rounded up), for which the sum of the standard errors is least",
             hint: "Of which numbers is the sum to be the least: of standard errors, or of their squares?",
-            answer: |q| largest_remainders(q, &best_for(q, |d| d.powf(2.0 / 3.0))),
+            answer: |q| {
+                spent(q, |how| {
+                    (how.weight, how.rest) = (|d: f32| d.powf(2.0 / 3.0), BY_REMAINDERS);
+                })
+            },
         },
     ];
 }
 
 /// The minimum for each pixel, and each further sample to the one that has it most urgently by its deviation and its samples; of equal ones to
 /// the first.
-fn one_by_one(q: &SpendBudget, urgency: fn(f64, f64) -> f64) -> Vec<u32> {
+fn one_by_one(q: &SpendBudget, urgency: fn(d: f64, n: f64) -> f64) -> Vec<f32> {
     /// More samples are not handed out one by one: a misread question may have any budget.
     const MOST: u32 = 100_000;
     let mut counts = vec![q.least; q.deviations.len()];
-    let left = q.budget.saturating_sub(counts.iter().sum()).min(MOST);
     let urgent = |d: &f32, n: u32| urgency(f64::from(*d), f64::from(n).max(1e-9));
     let mut urgencies: Vec<_> = q.deviations.iter().map(|d| urgent(d, q.least)).collect();
-    for _ in 0..left {
+    for _ in 0..q.budget.saturating_sub(counts.iter().sum()).min(MOST) {
         let most = urgencies.iter().copied().fold(f64::NEG_INFINITY, f64::max);
         let Some(i) = urgencies.iter().position(|one| *one == most) else {
             break;
@@ -494,5 +533,5 @@ fn one_by_one(q: &SpendBudget, urgency: fn(f64, f64) -> f64) -> Vec<u32> {
         counts[i] += 1;
         urgencies[i] = urgent(&q.deviations[i], counts[i]);
     }
-    counts
+    counts.into_iter().map(|count| count as f32).collect()
 }

@@ -3,8 +3,7 @@
 mod families;
 
 use self::families::{
-    best, families, families_of, from_the_right, in_place, leaves_below, of_opened_too, size, take,
-    three_levels_down, while_fewer, without,
+    Lists, families, first, last, leaves_below, size, take, three_levels, without,
 };
 use super::{MOST, half_area, is_branch, pair};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
@@ -177,67 +176,52 @@ impl Graded for Collapse {
         Mistake {
             name: "opens the smallest branch first",
             hint: "Which of two boxes do more rays enter, and which of them would you rather spare a step?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| -half_area(q, i))),
+            answer: |q| families(q, |how| how.order = |q, i| -half_area(q, i)),
         },
         Mistake {
             name: "opens the branches in the order of the list",
             hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
-            answer: |q| families(q, while_fewer(MOST, |_, i| -(i as f32))),
+            answer: |q| families(q, |how| how.order = |_, i| -(i as f32)),
         },
         Mistake {
             name: "keeps two children per branch",
             hint: "There is room for eight: whose children can move up?",
-            answer: |q| families(q, while_fewer(2, half_area)),
+            answer: |q| families(q, |how| how.most = 2),
         },
         Mistake {
             name: "stops at seven children",
             hint: "Opening a branch takes one member away and brings two: is there room for that with seven members?",
-            answer: |q| families(q, while_fewer(MOST - 1, half_area)),
+            answer: |q| families(q, |how| how.most = MOST - 1),
         },
         Mistake {
             name: "opens the widest branch along x first",
             hint: "Is a long, thin box met by more rays than a large one?",
-            answer: |q| {
-                families(
-                    q,
-                    while_fewer(MOST, |q, i| {
-                        let node = &q.nodes[i as usize];
-                        node.max.x - node.min.x
-                    }),
-                )
-            },
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).x),
         },
         Mistake {
             name: "opens one branch only",
             hint: "After one branch is opened there may be room for more: what makes your loop end?",
-            answer: |q| {
-                let nearest = |q: &Collapse, members: &[u32]| {
-                    (members.len() < 3)
-                        .then(|| best(q, members, half_area))
-                        .flatten()
-                };
-                families(q, nearest)
-            },
+            answer: |q| families(q, |how| how.most = 3),
         },
         Mistake {
             name: "stops at four children",
             hint: "How many children may a branch have?",
-            answer: |q| families(q, while_fewer(4, half_area)),
+            answer: |q| families(q, |how| how.most = 4),
         },
         Mistake {
             name: "goes on to nine children",
             hint: "Opening a branch takes one member away and brings two: when must you stop?",
-            answer: |q| families(q, while_fewer(MOST + 1, half_area)),
+            answer: |q| families(q, |how| how.most = MOST + 1),
         },
         Mistake {
             name: "goes on to eight branches, and does not count the leaves among the children",
             hint: "How many children may a branch have, leaves included?",
             answer: |q| {
-                families(q, |q, members| {
-                    let branches = members.iter().filter(|&&member| is_branch(q, member));
-                    (branches.count() < MOST)
-                        .then(|| best(q, members, half_area))
-                        .flatten()
+                families(q, |how| {
+                    how.count = |q, members| {
+                        let branches = members.iter().filter(|&&member| is_branch(q, member));
+                        branches.count()
+                    };
                 })
             },
         },
@@ -272,27 +256,17 @@ impl Graded for Collapse {
         Mistake {
             name: "opens the branch with the longest edges first",
             hint: "Is a long, thin box met by more rays than a large one?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).element_sum())),
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).element_sum()),
         },
         Mistake {
             name: "opens the branch that came into the list first, however small it is",
             hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
-            answer: |q| {
-                families(q, |q, members| {
-                    let first = members.iter().position(|&i| is_branch(q, i));
-                    first.filter(|_| members.len() < MOST)
-                })
-            },
+            answer: |q| families(q, |how| how.next = first),
         },
         Mistake {
             name: "opens the branch that came into the list last, however small it is",
             hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
-            answer: |q| {
-                families(q, |q, members| {
-                    let last = members.iter().rposition(|&i| is_branch(q, i));
-                    last.filter(|_| members.len() < MOST)
-                })
-            },
+            answer: |q| families(q, |how| how.next = last),
         },
         Mistake {
             name: "writes the list of the root only",
@@ -307,92 +281,89 @@ impl Graded for Collapse {
         Mistake {
             name: "writes a list for branches that were opened, too",
             hint: "A branch whose children have moved up is no member any more: does it still need a list?",
-            answer: |q| {
-                let one = |branch: u32| {
-                    let mut children = pair(q, branch).to_vec();
-                    while let Some(i) = while_fewer(MOST, half_area)(q, &children) {
-                        let opened = children.remove(i);
-                        children.extend(pair(q, opened));
-                    }
-                    FamilyRow { branch, children }
-                };
-                let all = 0..q.nodes.len() as u32;
-                all.filter(|&i| is_branch(q, i)).map(one).collect()
-            },
+            answer: |q| families(q, |how| how.lists = Lists::All),
         },
         Mistake {
             name: "opens the branch with the largest side along x and y first",
             hint: "A box has three pairs of sides: how many of them are in your area?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).x * size(q, i).y)),
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).x * size(q, i).y),
         },
         Mistake {
             name: "opens the branch with the largest volume first",
             hint: "A flat box has no volume: do rays enter it?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).element_product())),
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).element_product()),
         },
         Mistake {
             name: "opens the branch with the longest edge first",
             hint: "Is a long, thin box met by more rays than a large one?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).max_element())),
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).max_element()),
         },
         Mistake {
             name: "stops as soon as the largest child is a leaf",
             hint: "A leaf cannot be opened, however large: is there a branch among the other children?",
             answer: |q| {
-                families(q, |q, members| {
-                    let area = |&i: &usize| half_area(q, members[i]);
-                    let largest = (0..members.len()).max_by(|a, b| area(a).total_cmp(&area(b)));
-                    largest.filter(|&i| members.len() < MOST && is_branch(q, members[i]))
+                families(q, |how| {
+                    how.next = |q, members, order| {
+                        let by_order = |a: &usize, b: &usize| {
+                            order(q, members[*a]).total_cmp(&order(q, members[*b]))
+                        };
+                        let greatest = (0..members.len()).max_by(by_order);
+                        greatest.filter(|&i| is_branch(q, members[i]))
+                    };
                 })
             },
         },
         Mistake {
             name: "takes up three levels at once, however large the boxes are",
             hint: "A small branch two levels down is opened, and a large one beside a leaf is not: which of them do more rays enter?",
-            answer: |q| families_of(q, |branch| three_levels_down(q, branch)),
+            answer: |q| families(q, |how| how.members = three_levels),
         },
         Mistake {
             name: "fills half of the places with what is below the left child, before it looks at the right one",
             hint: "The left child is small, and the right one large: which of them should have more of the eight places below?",
             answer: |q| {
-                families_of(q, |branch| {
-                    let mut taken = Vec::new();
-                    let [left, right] = pair(q, branch);
-                    take(q, left, MOST / 2, &mut taken);
-                    take(q, right, MOST - taken.len(), &mut taken);
-                    taken
+                families(q, |how| {
+                    how.members = |q, how, branch, open| take(q, branch, how.most, open);
                 })
             },
         },
         Mistake {
             name: "opens the branch with the most leaves below it first",
             hint: "Many small leaves lie close together: what tells how often a ray enters their box?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| leaves_below(q, i) as f32)),
+            answer: |q| families(q, |how| how.order = |q, i| leaves_below(q, i) as f32),
         },
         Mistake {
             name: "opens the branch with the longest diagonal first",
             hint: "Is a long, thin box met by more rays than a large one?",
-            answer: |q| families(q, while_fewer(MOST, |q, i| size(q, i).length())),
+            answer: |q| families(q, |how| how.order = |q, i| size(q, i).length()),
         },
         Mistake {
             name: "opens the first branch of the list, however small it is, and puts its children in its place",
             hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
             answer: |q| {
-                in_place(q, |q, members| {
-                    let first = members.iter().position(|&i| is_branch(q, i));
-                    first.filter(|_| members.len() < MOST)
+                families(q, |how| {
+                    how.next = first;
+                    how.put = |members, i, two| drop(members.splice(i..=i, two));
                 })
             },
         },
         Mistake {
             name: "writes lists for branches that were opened, too, and several for some of them",
             hint: "A branch whose children have moved up is no member any more: does it still need a list?",
-            answer: of_opened_too,
+            answer: |q| families(q, |how| how.lists = Lists::OpenedToo),
         },
         Mistake {
             name: "opens the branch that came into the list first, however small it is, and of two the right one",
             hint: "Not every branch is equally worth opening: what tells how often rays enter it?",
-            answer: from_the_right,
+            answer: |q| {
+                families(q, |how| {
+                    how.next = first;
+                    how.pair = |q, branch| {
+                        let [left, right] = pair(q, branch);
+                        [right, left]
+                    };
+                })
+            },
         },
     ];
 }

@@ -1,91 +1,189 @@
-//! Rules as students write them: with the contrast of something else, or with another error.
+//! The rule as it should be, by settings that students get wrong.
 
-use crate::Graded;
-use crate::cases::ch23_adaptive::measures::{decide, range, ratio, standard_error, too_contrasty};
+use crate::cases::ch23_adaptive::measures::{range, squares};
+use crate::upon::changed;
 use raybook::image::rgb::Rgb;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
 
-/// Whether the contrast of the luminance is above a limit, and the answer by that and the right error.
-pub(super) fn of_luminance(q: &NeedsMore, limit: f32) -> u32 {
-    let values = || q.samples.iter().map(|sample| sample.luminance());
-    let (max, min) = (
-        values().fold(0.0, f32::max),
-        values().fold(f32::INFINITY, f32::min),
-    );
-    decide(q, ratio([max, min]) > limit, standard_error(q))
+/// How it is decided whether a pixel needs more samples; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+pub(super) struct How {
+    /// Fewer samples than these always need more.
+    pub(super) fewest: usize,
+    /// The luminance of a sample.
+    pub(super) luminance: Luminance,
+    /// The groups of samples that are compared with each other.
+    pub(super) groups: fn(samples: &[Rgb], luminance: Luminance) -> Vec<Vec<Rgb>>,
+    /// What is compared of a group of samples, for the contrast of channel `i`.
+    pub(super) values: fn(samples: &[Rgb], i: usize, luminance: Luminance) -> Vec<f32>,
+    /// The largest and the least of the values.
+    pub(super) range: fn(values: &[f32]) -> [f32; 2],
+    /// The contrast of values that are not all black.
+    pub(super) contrast: fn(of: Values) -> f32,
+    /// The limits of the channels' contrasts, made of those of the question.
+    pub(super) limits: fn(limits: [f32; 3]) -> [f32; 3],
+    /// How many channels are looked at.
+    pub(super) channels: usize,
+    /// Whether a channel has too much contrast.
+    pub(super) is_above: IsAbove,
+    /// Whether the channels say that the samples are enough, before anything else is asked.
+    pub(super) is_content: fn(channels: &[Channel], is_above: IsAbove) -> bool,
+    /// Whether the channels say that more samples are needed.
+    pub(super) is_contrasty: fn(channels: &[Channel], is_above: IsAbove) -> bool,
+    /// By what the squares of the differences of `n` values from their mean are divided.
+    pub(super) divisor: fn(n: f32) -> f32,
+    /// The variance of some values.
+    pub(super) variance: fn(values: &[f32], divisor: f32) -> f32,
+    /// The standard error of the mean of `n` values.
+    pub(super) error: fn(variance: f32, n: f32) -> f32,
+    /// The standard error of the pixel; `error` is that of some values.
+    pub(super) noise: fn(samples: &[Rgb], luminance: Luminance, error: ErrorOf<'_>) -> f32,
+    /// The limit of the error, made of that of the question, where the samples have this `mean` luminance.
+    pub(super) error_limit: fn(limit: f32, mean: f32) -> f32,
+    /// Whether the error says that more samples are needed.
+    pub(super) is_uncertain: fn(error: f32, limit: f32) -> bool,
+    /// Whether more samples are needed, by what contrast and error say.
+    pub(super) decide: fn(is_contrasty: bool, is_uncertain: bool) -> bool,
 }
 
-/// The samples of the least and of the greatest luminance, the first of several.
-pub(super) fn darkest_and_brightest(q: &NeedsMore) -> Option<[&Rgb; 2]> {
-    let by_luminance = |one: &&Rgb, other: &&Rgb| one.luminance().total_cmp(&other.luminance());
-    let darkest = q.samples.iter().min_by(by_luminance)?;
-    let brightest = q.samples.iter().rev().max_by(by_luminance)?;
-    Some([darkest, brightest])
+/// The standard error of the mean of some values.
+type ErrorOf<'a> = &'a dyn Fn(&[f32]) -> f32;
+
+/// How a sample's luminance is found.
+pub(super) type Luminance = fn(sample: Rgb) -> f32;
+
+/// How it is found whether a channel has too much contrast.
+pub(super) type IsAbove = fn(channel: &Channel) -> bool;
+
+/// What a contrast is made of.
+pub(super) struct Values {
+    pub(super) max: f32,
+    pub(super) min: f32,
+    pub(super) mean: f32,
+    /// The standard deviation.
+    pub(super) deviation: f32,
 }
 
-/// Whether a channel's contrast is above its limit in any two samples of those pairs.
-pub(super) fn of_pairs(q: &NeedsMore, pairs: &[[&Rgb; 2]]) -> bool {
-    let limits = q.contrast.channels();
-    (0..3).any(|channel| {
-        let is_above = |pair: &[&Rgb; 2]| {
-            let [one, other] = pair.map(|s| s.channels()[channel]);
-            ratio([one.max(other), one.min(other)]) > limits[channel]
+/// A channel of the samples, and what is allowed to it.
+pub(super) struct Channel {
+    pub(super) is_black: bool,
+    pub(super) contrast: f32,
+    pub(super) limit: f32,
+}
+
+/// As it should be.
+const WELL: How = How {
+    fewest: 2,
+    luminance: Rgb::luminance,
+    groups: |samples, _| vec![samples.to_vec()],
+    values: channel,
+    range,
+    contrast: |of| (of.max - of.min) / (of.max + of.min),
+    limits: |limits| limits,
+    channels: 3,
+    is_above: |channel| channel.contrast > channel.limit,
+    is_content: |_, _| false,
+    is_contrasty: |channels, is_above| channels.iter().any(is_above),
+    divisor: |n| n - 1.0,
+    variance: |values, divisor| squares(values) / divisor,
+    error: |variance, n| (variance / n).sqrt(),
+    noise: |samples, luminance, error| error(&luminances(samples, 0, luminance)),
+    error_limit: |limit, _| limit,
+    is_uncertain: |error, limit| error > limit,
+    decide: |is_contrasty, is_uncertain| is_contrasty || is_uncertain,
+};
+
+/// The answer, decided rightly but for what is changed.
+pub(super) fn decided(q: &NeedsMore, change: impl FnOnce(&mut How)) -> u32 {
+    let how = changed(WELL, change);
+    if q.samples.len() < how.fewest {
+        return 1;
+    }
+    let variance = |values: &[f32]| (how.variance)(values, (how.divisor)(values.len() as f32));
+    let groups = (how.groups)(&q.samples, how.luminance);
+    let limits = (how.limits)(q.contrast.channels()).into_iter();
+    let channels = limits.enumerate().take(how.channels).map(|(i, limit)| {
+        let of_group = |group: &Vec<Rgb>| {
+            let values = (how.values)(group, i, how.luminance);
+            let [max, min] = (how.range)(&values);
+            let of = Values {
+                max,
+                min,
+                mean: mean(&values),
+                deviation: variance(&values).sqrt(),
+            };
+            (max > 0.0).then(|| (how.contrast)(of))
         };
-        pairs.iter().any(is_above)
-    })
+        let contrasts: Vec<_> = groups.iter().map(of_group).collect();
+        Channel {
+            is_black: contrasts.iter().all(Option::is_none),
+            contrast: contrasts.into_iter().flatten().fold(0.0, f32::max),
+            limit,
+        }
+    });
+    let channels: Vec<_> = channels.collect();
+    if (how.is_content)(&channels, how.is_above) {
+        return 0;
+    }
+    let error = |values: &[f32]| (how.error)(variance(values), values.len() as f32);
+    let noise = (how.noise)(&q.samples, how.luminance, &error);
+    let limit = (how.error_limit)(q.error, mean(&luminances(&q.samples, 0, how.luminance)));
+    u32::from((how.decide)(
+        (how.is_contrasty)(&channels, how.is_above),
+        (how.is_uncertain)(noise, limit),
+    ))
 }
 
-/// The standard error of one channel.
-pub(super) fn error_of(q: &NeedsMore, channel: usize) -> f32 {
-    let gray = |s: &Rgb| Rgb::gray(s.channels()[channel]);
-    standard_error(&NeedsMore {
-        samples: q.samples.iter().map(gray).collect(),
-        ..q.clone()
-    })
+fn mean(values: &[f32]) -> f32 {
+    values.iter().sum::<f32>() / values.len() as f32
 }
 
-/// The answer by one limit for the contrast of all channels.
-pub(super) fn by_one_limit(q: &NeedsMore, limit: f32) -> u32 {
-    NeedsMore::misread(q, |q| q.contrast = Rgb::gray(limit))
+/// The values of channel `i`.
+pub(super) fn channel(samples: &[Rgb], i: usize, _: Luminance) -> Vec<f32> {
+    samples.iter().map(|sample| sample.channels()[i]).collect()
 }
 
-/// The answer by another contrast of a channel, made of its largest value and its least, of the mean of its values, and of their standard
-/// deviation; 0 for black.
-pub(super) fn by_mean(q: &NeedsMore, contrast: impl Fn([f32; 2], f32, f32) -> f32) -> u32 {
-    let samples = q.samples.len() as f32;
-    let limits = q.contrast.channels();
-    let is_above = |channel: usize| {
-        let values = || q.samples.iter().map(|s| s.channels()[channel]);
-        let mean = values().sum::<f32>() / samples;
-        let squares: f32 = values().map(|v| (v - mean).powi(2)).sum();
-        let deviation = (squares / (samples - 1.0)).sqrt();
-        mean > 0.0 && contrast(range(q, channel), mean, deviation) > limits[channel]
-    };
-    decide(q, (0..3).any(is_above), standard_error(q))
+/// The luminances, whatever the channel.
+pub(super) fn luminances(samples: &[Rgb], _: usize, luminance: Luminance) -> Vec<f32> {
+    samples.iter().copied().map(luminance).collect()
 }
 
-/// The answer by another luminance.
-pub(super) fn by_weights(q: &NeedsMore, [r, g, b]: [f32; 3]) -> u32 {
-    let luminance = |s: &Rgb| Rgb::gray(r * s.r + g * s.g + b * s.b);
-    let gray = NeedsMore {
-        samples: q.samples.iter().map(luminance).collect(),
-        ..q.clone()
-    };
-    decide(q, too_contrasty(q, ratio), standard_error(&gray))
+/// The values of all three channels.
+pub(super) fn all_channels(samples: &[Rgb]) -> Vec<f32> {
+    samples.iter().flat_map(|s| s.channels()).collect()
 }
 
-/// The answer by a running variance, which adds something for each luminance from number `first` on, by its differences from the mean of those before
-/// and from the mean with it. Right is their product (Welford 1962).
-pub(super) fn running(q: &NeedsMore, first: usize, adds: fn(f32, f32) -> f32) -> u32 {
+/// All channels as one, which is never black: the sum of the contrasts, and that of the limits.
+pub(super) fn sum(channels: &[Channel]) -> Channel {
+    Channel {
+        is_black: false,
+        contrast: channels.iter().map(|channel| channel.contrast).sum(),
+        limit: channels.iter().map(|channel| channel.limit).sum(),
+    }
+}
+
+/// A group of the samples of the least and of the greatest luminance, the first of several.
+pub(super) fn darkest_and_brightest(samples: &[Rgb], luminance: Luminance) -> Vec<Vec<Rgb>> {
+    let by_luminance = |one: &&Rgb, other: &&Rgb| luminance(**one).total_cmp(&luminance(**other));
+    let darkest = samples.iter().min_by(by_luminance);
+    let brightest = samples.iter().rev().max_by(by_luminance);
+    vec![darkest.into_iter().chain(brightest).copied().collect()]
+}
+
+/// A running sum, to which something is added for each value from number `first` on, by its differences from the mean of those before and from the
+/// mean with it. Right is their product (Welford 1962).
+pub(super) fn running(
+    values: &[f32],
+    first: usize,
+    adds: fn(before: f32, after: f32) -> f32,
+) -> f32 {
     let (mut mean, mut squares) = (0.0, 0.0);
-    for (i, sample) in q.samples.iter().enumerate() {
-        let luminance = sample.luminance();
-        let before = luminance - mean;
+    for (i, value) in values.iter().enumerate() {
+        let before = value - mean;
         mean += before / (i + 1) as f32;
         if i >= first {
-            squares += adds(before, luminance - mean);
+            squares += adds(before, value - mean);
         }
     }
-    let n = q.samples.len() as f32;
-    decide(q, too_contrasty(q, ratio), (squares / (n - 1.0) / n).sqrt())
+    squares
 }

@@ -1,122 +1,122 @@
 //! Ways of choosing a branch's new children as students write them: branches are opened in another order, up to another number, or by level.
 
 use crate::cases::ch24_wide_bvh::{MOST, half_area, is_branch, pair};
+use crate::upon::changed;
 use glam::Vec3;
 use raybook_workbook::exercises::ch24_wide_bvh::{Collapse, FamilyRow};
 
-/// Families whose members are chosen by `open`: which of the branches among the members is opened next, if any.
-pub(super) fn families(
-    q: &Collapse,
-    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
-) -> Vec<FamilyRow> {
-    families_by(q, open, |children, i, two| {
-        children.remove(i);
-        children.extend(two);
-    })
+/// How families are made; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+pub(super) struct How {
+    /// How many members a family may have.
+    pub(super) most: usize,
+    /// How many of the members count.
+    pub(super) count: fn(q: &Collapse, members: &[u32]) -> usize,
+    /// By which the branch that is opened next is the greatest.
+    pub(super) order: Order,
+    /// The place of the member that is opened next, if any is.
+    pub(super) next: fn(q: &Collapse, members: &[u32], order: Order) -> Option<usize>,
+    /// Takes away member `i`, and adds its two children.
+    pub(super) put: fn(members: &mut Vec<u32>, i: usize, two: [u32; 2]),
+    /// The children of a branch.
+    pub(super) pair: fn(q: &Collapse, branch: u32) -> [u32; 2],
+    /// The members of a branch's family; `open` gives the children of a branch, and notes that it was opened.
+    pub(super) members: fn(q: &Collapse, how: &How, branch: u32, open: Open<'_>) -> Vec<u32>,
+    /// Of which branches there are lists.
+    pub(super) lists: Lists,
 }
 
-/// Families whose members are chosen by `open`, where the two children of a branch that is opened stand in its place.
-pub(super) fn in_place(
-    q: &Collapse,
-    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
-) -> Vec<FamilyRow> {
-    families_by(q, open, |children, i, two| {
-        children.splice(i..=i, two);
-    })
+/// A node's place among others, as a number.
+pub(super) type Order = fn(q: &Collapse, node: u32) -> f32;
+
+/// Opens a branch.
+pub(super) type Open<'a> = &'a mut dyn FnMut(u32) -> [u32; 2];
+
+/// Of which branches there are lists.
+#[derive(Clone, Copy, PartialEq)]
+pub(super) enum Lists {
+    /// Of those that are left.
+    Left,
+    /// Of all branches of the binary tree.
+    All,
+    /// Of those that are left, and of those that were opened, each as often as it was met.
+    OpenedToo,
 }
 
-/// Families whose members are chosen by `open`; `put` gives the place of member i to its two children.
-fn families_by(
-    q: &Collapse,
-    open: impl Fn(&Collapse, &[u32]) -> Option<usize>,
-    put: fn(&mut Vec<u32>, usize, [u32; 2]),
-) -> Vec<FamilyRow> {
-    families_of(q, |branch| {
-        let mut children = pair(q, branch).to_vec();
-        while let Some(i) = open(q, &children) {
-            let two = pair(q, children[i]);
-            put(&mut children, i, two);
-        }
-        children
-    })
-}
+/// As it should be, or nearly: the largest of the branches is opened.
+const WELL: How = How {
+    most: MOST,
+    count: |_, members| members.len(),
+    order: half_area,
+    next: best,
+    put: |members, i, two| {
+        members.remove(i);
+        members.extend(two);
+    },
+    pair,
+    members: one_by_one,
+    lists: Lists::Left,
+};
 
-/// Families whose branches are opened in the order in which they came into the list, of two the right one first.
-pub(super) fn from_the_right(q: &Collapse) -> Vec<FamilyRow> {
-    let reversed = |branch: u32| pair(q, branch).into_iter().rev();
-    families_of(q, |branch| {
-        let mut children: Vec<_> = reversed(branch).collect();
-        while children.len() < MOST {
-            let Some(i) = children.iter().position(|&i| is_branch(q, i)) else {
-                break;
-            };
-            let opened = children.remove(i);
-            children.extend(reversed(opened));
-        }
-        children
-    })
-}
-
-/// Families of all branches that are met: of those that are left, and of those that were opened, each as often as it was met.
-pub(super) fn of_opened_too(q: &Collapse) -> Vec<FamilyRow> {
-    /// More lists are not made: of a chain of 19 branches there are 250,000, as each branch is opened again and again.
+/// The families, made rightly but for what is changed.
+pub(super) fn families(q: &Collapse, change: impl FnOnce(&mut How)) -> Vec<FamilyRow> {
+    /// More lists are not made of what was opened: of a chain of 19 branches there are 250,000, as each branch is opened again and again.
     const ENOUGH: usize = 10_000;
+    let how = changed(WELL, change);
     let mut families = Vec::new();
-    let mut waiting: Vec<_> = (0..q.nodes.len().min(1) as u32).collect();
+    let all = match how.lists {
+        Lists::All => q.nodes.len(),
+        _ => q.nodes.len().min(1),
+    };
+    let mut waiting: Vec<_> = (0..all as u32).rev().collect();
     while let Some(branch) = waiting.pop() {
-        if !is_branch(q, branch) || families.len() == ENOUGH {
+        let is_enough = how.lists == Lists::OpenedToo && families.len() == ENOUGH;
+        if !is_branch(q, branch) || is_enough {
             continue;
         }
-        let mut children = pair(q, branch).to_vec();
-        while let Some(i) = while_fewer(MOST, half_area)(q, &children) {
-            let opened = children.remove(i);
-            children.extend(pair(q, opened));
-            waiting.push(opened);
+        let mut opened = Vec::new();
+        let children = (how.members)(q, &how, branch, &mut |node| {
+            opened.push(node);
+            (how.pair)(q, node)
+        });
+        if how.lists == Lists::OpenedToo {
+            waiting.extend(opened.into_iter().filter(|node| *node != branch));
         }
-        waiting.extend(&children);
+        if how.lists != Lists::All {
+            waiting.extend(&children);
+        }
         families.push(FamilyRow { branch, children });
     }
     families
 }
 
-/// Families of these members of each branch.
-pub(super) fn families_of(q: &Collapse, members: impl Fn(u32) -> Vec<u32>) -> Vec<FamilyRow> {
-    let mut families = Vec::new();
-    let mut waiting = Vec::new();
-    if !q.nodes.is_empty() {
-        waiting.push(0);
+/// Opens one of the members after the other.
+fn one_by_one(q: &Collapse, how: &How, branch: u32, open: Open<'_>) -> Vec<u32> {
+    let mut members = open(branch).to_vec();
+    while (how.count)(q, &members) < how.most
+        && let Some(i) = (how.next)(q, &members, how.order)
+    {
+        let two = open(members[i]);
+        (how.put)(&mut members, i, two);
     }
-    while let Some(branch) = waiting.pop() {
-        if !is_branch(q, branch) {
-            continue;
-        }
-        let children = members(branch);
-        waiting.extend(&children);
-        families.push(FamilyRow { branch, children });
-    }
-    families
+    members
 }
 
 /// The place of the first of the best branches among the members, by an order of numbers.
-pub(super) fn best(
-    q: &Collapse,
-    members: &[u32],
-    order: fn(&Collapse, u32) -> f32,
-) -> Option<usize> {
+fn best(q: &Collapse, members: &[u32], order: Order) -> Option<usize> {
     let branches = (0..members.len()).filter(|&i| is_branch(q, members[i]));
     let backwards = branches.rev(); // the last of the greatest is found
     backwards.max_by(|&a, &b| order(q, members[a]).total_cmp(&order(q, members[b])))
 }
 
-pub(super) fn while_fewer(
-    most: usize,
-    order: fn(&Collapse, u32) -> f32,
-) -> impl Fn(&Collapse, &[u32]) -> Option<usize> {
-    move |q, members| {
-        (members.len() < most)
-            .then(|| best(q, members, order))
-            .flatten()
-    }
+/// The place of the first branch among the members.
+pub(super) fn first(q: &Collapse, members: &[u32], _: Order) -> Option<usize> {
+    members.iter().position(|&i| is_branch(q, i))
+}
+
+/// The place of the last branch among the members.
+pub(super) fn last(q: &Collapse, members: &[u32], _: Order) -> Option<usize> {
+    members.iter().rposition(|&i| is_branch(q, i))
 }
 
 /// The families without some members.
@@ -141,29 +141,31 @@ pub(super) fn size(q: &Collapse, i: u32) -> Vec3 {
 }
 
 /// The nodes three levels below a branch, and the leaves that lie above them.
-pub(super) fn three_levels_down(q: &Collapse, branch: u32) -> Vec<u32> {
-    let below = |node: u32| {
-        if is_branch(q, node) {
-            pair(q, node).to_vec()
-        } else {
-            vec![node]
-        }
-    };
-    let children = below(branch).into_iter();
-    children.flat_map(below).flat_map(below).collect()
+pub(super) fn three_levels(q: &Collapse, _: &How, branch: u32, open: Open<'_>) -> Vec<u32> {
+    let mut members = vec![branch];
+    for _ in 0..3 {
+        let below = members.into_iter().flat_map(|node| {
+            if is_branch(q, node) {
+                open(node).to_vec()
+            } else {
+                vec![node]
+            }
+        });
+        members = below.collect();
+    }
+    members
 }
 
-/// Takes a node itself, or instead of a branch what is below it, as long as there are places for both of its sides: the left one
-/// has half of them, and the right one those that are left.
-pub(super) fn take(q: &Collapse, node: u32, places: usize, taken: &mut Vec<u32>) {
+/// A node itself, or instead of a branch what is below it, as long as there are places for both of its sides: the left one has half of them, and the
+/// right one those that are left.
+pub(super) fn take(q: &Collapse, node: u32, places: usize, open: Open<'_>) -> Vec<u32> {
     if !is_branch(q, node) || places < 2 {
-        taken.push(node);
-        return;
+        return vec![node];
     }
-    let [left, right] = pair(q, node);
-    let before = taken.len();
-    take(q, left, places / 2, taken);
-    take(q, right, places - (taken.len() - before), taken);
+    let [left, right] = open(node);
+    let mut taken = take(q, left, places / 2, open);
+    taken.extend(take(q, right, places - taken.len(), open));
+    taken
 }
 
 /// The number of leaves below a node.

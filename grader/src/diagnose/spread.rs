@@ -22,7 +22,8 @@ const NEAR: f64 = 0.2;
 /// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
 const SURE: f64 = 0.1;
 
-/// Who gives other answers than a mistake, but their traits, leaves this share of the distance at most.
+/// Who gives other answers than a mistake, but their traits, leaves this share of the distance at most, and so do two mistakes: of all pairs, one
+/// comes nearer than `SURE` by chance.
 const EXACT: f64 = 0.03;
 
 /// This share is nothing.
@@ -462,9 +463,11 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
         if !promises || !upon.is_made() {
             return None;
         }
-        let most = (TWICE_AS_NEAR * one.min(other)).min(NEAR * whole.norm());
+        let most = (TWICE_AS_NEAR * one.min(other)).min(SURE * whole.norm());
         let rest = traits.distance(&|k| upon.answer(evidence, k));
-        let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole))?;
+        let is_exact = |rest: &Distance| rest.beyond_chance() <= EXACT * whole.norm();
+        let is_near = |rest: &Distance| rest.norm() < most && rest.explains(whole);
+        let rest = rest.filter(|rest| is_near(rest) && is_exact(rest))?;
         let [(name, hint), then] = upon.told(evidence);
         Some(Considered {
             rest: rest.norm(),

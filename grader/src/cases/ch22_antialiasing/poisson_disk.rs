@@ -410,17 +410,6 @@ impl Graded for PoissonDisk {
             answer: |q| darts(q, |how| how.distance *= std::f32::consts::SQRT_2),
         },
         Mistake {
-            name: "compares the larger of the steps along x and along y with the distance",
-            hint: "How far is it from (0, 0) to (1, 1)?",
-            answer: |q| {
-                darts(q, |how| {
-                    how.has_room = Some(|dart, points, distance| {
-                        is_far(dart, points, |way| way.abs().max_element() >= distance)
-                    });
-                })
-            },
-        },
-        Mistake {
             name: "refuses a point if one of the steps along x and along y is below the distance",
             hint: "Two points in the same column: how far apart may they be?",
             answer: |q| {

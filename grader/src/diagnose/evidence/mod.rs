@@ -31,6 +31,8 @@ pub enum Scope {
 pub struct Item {
     /// Its place among all cases.
     pub case: usize,
+    /// Whether it was made by chance.
+    is_random: bool,
     /// The question.
     pub question: Vec<f64>,
     /// The right answers.
@@ -118,6 +120,7 @@ impl<'a> Evidence<'a> {
             }
             items.push(Item {
                 case: i,
+                is_random: case.is_random(),
                 question,
                 answers,
                 raw: got.clone(),
@@ -404,11 +407,15 @@ impl<'a> Evidence<'a> {
         2 * counted().filter(is_same).count() > counted().count()
     }
 
-    /// The wrong items that tell most, the first of those that tell as much; none if nothing is wrong. Cases with names have small and
-    /// round numbers, which tell little, and which rounding decides.
+    /// The wrong items that tell most, of those that tell as much random ones first; none if nothing is wrong. Cases with names have small
+    /// and round numbers, which tell little, and which rounding decides.
     pub fn probe(&self, most: usize) -> Option<Self> {
         let mut wrong = self.items[..self.wrong].to_vec();
-        wrong.sort_by(|a, b| b.tells.total_cmp(&a.tells));
+        wrong.sort_by(|a, b| {
+            b.tells
+                .total_cmp(&a.tells)
+                .then(b.is_random.cmp(&a.is_random))
+        });
         wrong.truncate(most);
         self.keeping(wrong)
     }

@@ -256,6 +256,11 @@ fn with_cause(
     }
     let nearly =
         whole.filter(|one| one.is_own() && one.score.contradicted == 0 || one.is_nearly_complete());
+    // One mistake whose answers have the same traits says more than two that explain nearly all.
+    let is_simpler = likely
+        .as_ref()
+        .is_some_and(|one| one.is_exact && one.is_cause);
+    let nearly = nearly.filter(|one| one.then.is_none() || !is_simpler);
     // A slip that explains all comes before what explains nearly all.
     let explains_all = |one: &Diagnosis| one.explained == evidence.wrong;
     let is_less = slip.as_ref().is_some_and(explains_all);

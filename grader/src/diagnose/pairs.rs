@@ -18,7 +18,7 @@ const PROBE: usize = 8;
 const PROMISING: f64 = 0.9;
 
 /// The effort of an answer from which on few pairs are tried.
-const SLOW: usize = 10;
+pub const SLOW: usize = 10;
 
 /// Ways to misread a question that are tried in pairs, the likeliest first.
 const PAIRS: usize = 60;

@@ -4,7 +4,7 @@ use super::evidence::{Evidence, Item};
 use super::fit;
 use super::function::COMMON;
 use super::misread::Misreading;
-use super::pairs::Upon;
+use super::pairs::{SLOW, Upon};
 use super::search::{golden, misread};
 use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
@@ -173,8 +173,11 @@ const ALMOST: f64 = 0.05;
 /// The rank of two mistakes: behind one.
 const PAIR: u32 = 2;
 
-/// Mistakes that are tried two by two: those whose answers are nearest to the student's.
+/// Mistakes that are tried two by two: those whose answers are nearest to the student's, …
 const CANDIDATES: usize = 10;
+
+/// … and fewer where answers take long.
+const SLOW_CANDIDATES: usize = 5;
 
 /// Two mistakes leave at most this share of what one leaves.
 const TWICE_AS_NEAR: f64 = 0.5;
@@ -206,6 +209,8 @@ pub struct Likely {
     pub is_cause: bool,
     /// Whether next to nothing is left unexplained.
     pub is_near: bool,
+    /// Whether nothing is left that chance does not leave.
+    pub is_exact: bool,
     /// Whether nothing is, and nothing else comes as near. Of two mistakes at once that makes nobody certain before further questions: of many pairs
     /// one comes near by chance.
     pub is_alone: bool,
@@ -376,10 +381,11 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         certain: false,
         ..rest.diagnosis
     });
+    let is_exact = *left < EXACT * whole.norm();
     let is_alone = unchanged.is_empty()
         && rivals.next().is_none()
         && *left < SURE * whole.norm()
-        && (given >= MOST || *left < EXACT * whole.norm());
+        && (given >= MOST || is_exact);
     let diagnosis = Diagnosis {
         certain: *rank == 0 && is_alone,
         also: also.chain(rest).collect(),
@@ -389,6 +395,7 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         diagnosis,
         is_cause: *rank <= PAIR,
         is_near,
+        is_exact,
         is_alone,
     })
 }
@@ -446,7 +453,8 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
     });
     let mut near: Vec<_> = alone.collect();
     near.sort_by(|a, b| a.1.total_cmp(&b.1));
-    near.truncate(CANDIDATES);
+    let is_slow = evidence.examiner.limits().effort >= SLOW;
+    near.truncate(if is_slow { SLOW_CANDIDATES } else { CANDIDATES });
     let near = each(&near, |&(mistake, _)| {
         let rest = traits.distance(&|k| evidence.mistaken(mistake, k));
         (mistake, rest.map_or(f64::INFINITY, |rest| rest.norm()))

@@ -35,6 +35,21 @@ pub fn distinct(numbers: impl IntoIterator<Item = f64>) -> f64 {
     places.len() as f64 / all
 }
 
+/// How unevenly numbers in [0, 1) are shared among groups, equal parts of this range: 0 if all have as many, about 1 by chance, and never more
+/// than 4.
+pub fn unevenness(numbers: impl IntoIterator<Item = f64>, groups: u32) -> f64 {
+    let groups = groups.max(1);
+    let mut counts = vec![0.0_f64; groups as usize];
+    for v in numbers {
+        let group = (f64::from(groups) * v) as usize; // the nearest, if it is outside of the range
+        counts[group.min(groups as usize - 1)] += 1.0;
+    }
+    let n = counts.iter().sum::<f64>().max(1.0);
+    let mean = n / f64::from(groups);
+    let squares: f64 = counts.iter().map(|count| (count - mean).powi(2)).sum();
+    (squares / n).min(4.0)
+}
+
 /// The logarithm of a positive number, within bounds.
 pub fn log(v: f64) -> f64 {
     v.abs().clamp(1e-6, 1e6).ln()

@@ -183,7 +183,7 @@ fn of_all(evidence: &Evidence<'_>) -> Option<Diagnosis> {
         );
     }
     let (near, likely) = match likely {
-        Some(one) if one.is_near && one.is_cause => (Some(one.diagnosis), None),
+        Some(one) if one.is_near() && one.is_cause => (Some(one.diagnosis), None),
         likely => (None, likely.map(|one| one.diagnosis)),
     };
     let most = whole.as_ref().map_or(0, |found| found.score.explained);
@@ -259,7 +259,7 @@ fn with_cause(
     // One mistake whose answers have the same traits says more than two that explain nearly all.
     let is_simpler = likely
         .as_ref()
-        .is_some_and(|one| one.is_exact && one.is_cause);
+        .is_some_and(|one| one.is_exact() && one.is_cause);
     let nearly = nearly.filter(|one| one.then.is_none() || !is_simpler);
     // A slip that explains all comes before what explains nearly all.
     let explains_all = |one: &Diagnosis| one.explained == evidence.wrong;
@@ -267,7 +267,7 @@ fn with_cause(
     let nearly = nearly.filter(|one| one.is_own() || !is_less);
     let nearly = nearly.map(|one| one.told(evidence));
     let is_good =
-        nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(|one| one.is_near);
+        nearly.is_some() || slip.is_some() || likely.as_ref().is_some_and(spread::Likely::is_near);
     let likely = likely.filter(|one| one.is_cause).map(|one| one.diagnosis);
     let mut made = nearly.into_iter().chain(slip).chain(likely);
     let cause = made.find(|one| one.name != found.name);

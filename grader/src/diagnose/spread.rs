@@ -22,8 +22,8 @@ const NEAR: f64 = 0.2;
 /// Of what is certain, only this share: another mistake of estimates may come nearer than `NEAR` by chance.
 const SURE: f64 = 0.1;
 
-/// Who gives other answers than a mistake, but their traits, leaves this share of the distance at most, and so do two mistakes: of all pairs, one
-/// comes nearer than `SURE` by chance.
+/// Who gives other answers than a mistake, but their traits, leaves this share of the distance at most, and so do two mistakes that are told for
+/// certain: of all pairs, one comes nearer than `SURE` by chance.
 const EXACT: f64 = 0.03;
 
 /// This share is nothing.
@@ -106,18 +106,6 @@ impl<'a, 'e> Traits<'a, 'e> {
         self.distance_among(&all, answers)
     }
 
-    /// The wrong answers to questions in which an explanation changes nothing: it cannot have made them wrong.
-    fn unchanged(&self, answers: &dyn Fn(usize) -> Option<Vec<f64>>) -> Vec<usize> {
-        let evidence = self.evidence;
-        let is_unchanged = |k: &usize| {
-            let item = &evidence.items[*k];
-            let traits = |answer: &[f64]| evidence.examiner.traits(&item.question, answer);
-            let answer = answers(*k).filter(|answer| evidence.is_right(item, answer));
-            answer.is_some_and(|answer| traits(&answer) == traits(item.golden()))
-        };
-        (0..evidence.wrong).filter(is_unchanged).collect()
-    }
-
     /// The same of some of the questions.
     fn distance_among(
         &self,
@@ -195,6 +183,55 @@ struct Considered {
     then: Option<(String, String)>,
 }
 
+impl Considered {
+    /// What one answers who makes it, if it is one of the exercise's own, or two of them.
+    fn answer(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
+        let own = |name: &str| evidence.examiner.mistake_called(name);
+        let first = own(&self.name)?;
+        match &self.then {
+            None => evidence.mistaken(first, item),
+            Some((then, _)) => Upon::new(first, own(then)?).answer(evidence, item),
+        }
+    }
+
+    /// The wrong answers to questions in which it changes nothing: it cannot have made them wrong.
+    fn unchanged(&self, evidence: &Evidence<'_>) -> Vec<usize> {
+        let is_unchanged = |k: &usize| {
+            let item = &evidence.items[*k];
+            let traits = |answer: &[f64]| evidence.examiner.traits(&item.question, answer);
+            let answer = self.answer(evidence, *k);
+            let answer = answer.filter(|answer| evidence.is_right(item, answer));
+            answer.is_some_and(|answer| traits(&answer) == traits(item.golden()))
+        };
+        (0..evidence.wrong).filter(is_unchanged).collect()
+    }
+
+    /// What is said of it, where it explains this number of wrong answers; for certain if it `is_certain`.
+    fn told(&self, evidence: &Evidence<'_>, explained: usize, is_certain: bool) -> Diagnosis {
+        let one = |name: &str, hint: &str, beside| Diagnosis {
+            name: name.to_owned(),
+            hint: hint.to_owned(),
+            part: None,
+            certain: false,
+            explained,
+            wrong: evidence.wrong,
+            further: 0,
+            shown: None,
+            beside,
+            also: Vec::new(),
+        };
+        let mut then = self.then.iter();
+        let then = then
+            .next()
+            .map(|(name, hint)| one(name, hint, Beside::Together));
+        Diagnosis {
+            certain: is_certain,
+            also: then.into_iter().collect(),
+            ..one(&self.name, &self.hint, Beside::Apart)
+        }
+    }
+}
+
 /// What the nearest leaves of the distance.
 fn nearest(found: &[Considered]) -> f64 {
     let rests = found.iter().map(|one| one.rest);
@@ -207,13 +244,23 @@ pub struct Likely {
     pub diagnosis: Diagnosis,
     /// Whether it is a mistake in the function, and not only what its answers look like.
     pub is_cause: bool,
-    /// Whether next to nothing is left unexplained.
-    pub is_near: bool,
-    /// Whether nothing is left that chance does not leave.
-    pub is_exact: bool,
+    /// The share of the distance that is left, beyond what chance leaves.
+    left: f64,
     /// Whether nothing is, and nothing else comes as near. Of two mistakes at once that makes nobody certain before further questions: of many pairs
     /// one comes near by chance.
     pub is_alone: bool,
+}
+
+impl Likely {
+    /// Whether next to nothing is left unexplained …
+    pub fn is_near(&self) -> bool {
+        self.left < NEAR
+    }
+
+    /// … or nothing but what chance leaves.
+    pub fn is_exact(&self) -> bool {
+        self.left < EXACT
+    }
 }
 
 /// All mistakes whose answers have about the traits of the student's: single ones, and two at once where no single one comes near.
@@ -307,14 +354,15 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         let contradicted = |number| is_contradicted(evidence, number) || !shows(evidence, number);
         one.then.is_some() || !own(&one.name).is_some_and(contradicted)
     });
+    let best = *near.first()?;
     let Considered {
         rest,
-        left,
         rank,
         name,
-        hint,
         then,
-    } = near.first()?;
+        ..
+    } = best;
+    let left = best.left / whole.norm();
     // Costs and counts may be alike by chance where the answers are not: of an own mistake the share of answers that are its own tells.
     let gives = |number: usize| {
         let gives = |k: &usize| {
@@ -339,63 +387,39 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         let is_the_same = other.rank == SLIP && other.rest == *rest || *rank == 0 && other.rank > 0;
         let is_given = given.is_some_and(|given| given >= MOST);
         let gives_less = || own(&other.name).is_some_and(|number| gives(number) < SOME);
+        // Of many pairs some come near, but few leave nothing that chance does not leave.
+        let is_worse = then.is_some() && left < EXACT && other.left > EXACT * whole.norm();
         other.name != *name
             && other.rest < 2.0 * rest + 2.0 * errors
+            && !is_worse
             && !is_the_same
             && !(is_given && gives_less())
     };
     let mut rivals = found.iter().filter(is_rival);
     let given = given.unwrap_or(1.0);
-    let is_near = *left < NEAR * whole.norm();
     // Simple questions have one answer, whichever way is gone: who makes the mistake on another way gives none of its answers, but
     // their traits, to which no other mistake comes near.
-    let stands_out = *rank == 0 && is_near && rivals.clone().all(|other| other.rank > SLIP);
+    let stands_out = *rank == 0 && left < NEAR && rivals.clone().all(|other| other.rank > SLIP);
     if given < SOME && !stands_out {
         return None;
     }
-    let numbers = [Some(name), then.as_ref().map(|(then, _)| then)].map(|name| own(name?));
-    let unchanged = traits.unchanged(&|k| match numbers {
-        [Some(mistake), None] => evidence.mistaken(mistake, k),
-        [Some(first), Some(second)] => Upon::new(first, second).answer(evidence, k),
-        [None, _] => None,
-    });
-    let explained = evidence.wrong - unchanged.len();
-    let one = |name: &str, hint: &str, beside| Diagnosis {
-        name: name.to_owned(),
-        hint: hint.to_owned(),
-        part: None,
-        certain: false,
-        explained,
-        wrong: evidence.wrong,
-        further: 0,
-        shown: None,
-        beside,
-        also: Vec::new(),
-    };
-    let also = then
-        .iter()
-        .map(|(name, hint)| one(name, hint, Beside::Together));
-    let rest = evidence.only(&unchanged);
-    let rest = rest.and_then(|rest| search(&rest, readings).filter(|rest| rest.is_cause));
-    let rest = rest.map(|rest| Diagnosis {
-        certain: false,
-        ..rest.diagnosis
-    });
-    let is_exact = *left < EXACT * whole.norm();
+    let unchanged = best.unchanged(evidence);
     let is_alone = unchanged.is_empty()
         && rivals.next().is_none()
-        && *left < SURE * whole.norm()
-        && (given >= MOST || is_exact);
-    let diagnosis = Diagnosis {
-        certain: *rank == 0 && is_alone,
-        also: also.chain(rest).collect(),
-        ..one(name, hint, Beside::Apart)
-    };
+        && left < SURE
+        && (given >= MOST && then.is_none() || left < EXACT);
+    let explained = evidence.wrong - unchanged.len();
+    let mut diagnosis = best.told(evidence, explained, *rank == 0 && is_alone);
+    let rest = evidence.only(&unchanged);
+    let rest = rest.and_then(|rest| search(&rest, readings).filter(|rest| rest.is_cause));
+    diagnosis.also.extend(rest.map(|rest| Diagnosis {
+        certain: false,
+        ..rest.diagnosis
+    }));
     Some(Likely {
         diagnosis,
         is_cause: *rank <= PAIR,
-        is_near,
-        is_exact,
+        left,
         is_alone,
     })
 }
@@ -473,9 +497,7 @@ fn two(evidence: &Evidence<'_>, traits: &Traits<'_, '_>, whole: &Distance) -> Ve
         }
         let most = (TWICE_AS_NEAR * one.min(other)).min(SURE * whole.norm());
         let rest = traits.distance(&|k| upon.answer(evidence, k));
-        let is_exact = |rest: &Distance| rest.beyond_chance() <= EXACT * whole.norm();
-        let is_near = |rest: &Distance| rest.norm() < most && rest.explains(whole);
-        let rest = rest.filter(|rest| is_near(rest) && is_exact(rest))?;
+        let rest = rest.filter(|rest| rest.norm() < most && rest.explains(whole))?;
         let [(name, hint), then] = upon.told(evidence);
         Some(Considered {
             rest: rest.norm(),

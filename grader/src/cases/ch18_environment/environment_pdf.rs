@@ -111,7 +111,8 @@ impl Graded for EnvironmentPdf {
             hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {
                 density(q, |how| {
-                    how.radiance = |q, _, [x, y]| q.listed(x * q.height as usize + y).unwrap_or(0.0)
+                    how.radiance =
+                        |q, _, [x, y]| q.listed(x * q.height as usize + y).unwrap_or(0.0);
                 })
             },
         },
@@ -162,7 +163,7 @@ impl Graded for EnvironmentPdf {
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
             answer: |q| {
                 density(q, |how| {
-                    how.number[0] = |place, n| (place * n as f32).round() as i32
+                    how.number[0] = |place, n| (place * n as f32).round() as i32;
                 })
             },
         },
@@ -171,7 +172,7 @@ impl Graded for EnvironmentPdf {
             hint: "The rows of the map are equally many degrees high: are they equally high on the sphere?",
             answer: |q| {
                 density(q, |how| {
-                    how.place = |d| vec2(latlong::place(d).x, 0.5 - 0.5 * d.y)
+                    how.place = |d| vec2(latlong::place(d).x, 0.5 - 0.5 * d.y);
                 })
             },
         },
@@ -190,7 +191,7 @@ impl Graded for EnvironmentPdf {
             hint: "A density's integral over all directions is 1: what is that of yours?",
             answer: |q| {
                 density(q, |how| {
-                    how.whole = Some(|q, _| q.texels.iter().copied().fold(0.0, f32::max).into())
+                    how.whole = Some(|q, _| q.texels.iter().copied().fold(0.0, f32::max).into());
                 })
             },
         },
@@ -269,7 +270,7 @@ impl Graded for EnvironmentPdf {
             hint: "The place 0.9 of three columns is 2.7: in which column is that, counted from 0?",
             answer: |q| {
                 density(q, |how| {
-                    how.number = [|place, n| (place * (n as f32 - 1.0)) as i32; 2]
+                    how.number = [|place, n| (place * (n as f32 - 1.0)) as i32; 2];
                 })
             },
         },
@@ -283,7 +284,7 @@ impl Graded for EnvironmentPdf {
             hint: "One row is dark and another one bright: how probable is each of them?",
             answer: |q| {
                 density(q, |how| {
-                    how.whole = Some(|q, row| q.of_row(row) * f64::from(q.height))
+                    how.whole = Some(|q, row| q.of_row(row) * f64::from(q.height));
                 })
             },
         },
@@ -292,7 +293,7 @@ impl Graded for EnvironmentPdf {
             hint: "The first of three columns is a third of the map: how much of it is it in yours?",
             answer: |q| {
                 density(q, |how| {
-                    how.number = [|place, n| (place * (n as f32 - 1.0)).round() as i32; 2]
+                    how.number = [|place, n| (place * (n as f32 - 1.0)).round() as i32; 2];
                 })
             },
         },
@@ -325,7 +326,7 @@ impl Graded for EnvironmentPdf {
             hint: "A density's integral over all directions is 1: what is that of yours?",
             answer: |q| {
                 density(q, |how| {
-                    how.radiance = |q, _, [x, y]| q.texel(x, y) + f64::from(tenth(q))
+                    how.radiance = |q, _, [x, y]| q.texel(x, y) + f64::from(tenth(q));
                 })
             },
         },

@@ -209,7 +209,7 @@ impl Graded for Jittered {
             hint: "Which of your points would be elsewhere with another seed?",
             answer: |q| {
                 in_cells(q, |how| {
-                    (how.from, how.to) = (Vec2::splat(0.5), Vec2::splat(0.5))
+                    (how.from, how.to) = (Vec2::splat(0.5), Vec2::splat(0.5));
                 })
             },
         },
@@ -218,7 +218,7 @@ impl Graded for Jittered {
             hint: "How many of your points are in the first cell? And in the last?",
             answer: |q| {
                 in_cells(q, |how| {
-                    (how.cell, how.width) = (|_| Vec2::ZERO, |_| Vec2::ONE)
+                    (how.cell, how.width) = (|_| Vec2::ZERO, |_| Vec2::ONE);
                 })
             },
         },
@@ -257,7 +257,7 @@ impl Graded for Jittered {
             hint: "Can your point be anywhere in its cell, near its edges too?",
             answer: |q| {
                 in_cells(q, |how| {
-                    (how.from, how.to) = (Vec2::splat(0.25), Vec2::splat(0.75))
+                    (how.from, how.to) = (Vec2::splat(0.25), Vec2::splat(0.75));
                 })
             },
         },
@@ -281,7 +281,7 @@ impl Graded for Jittered {
             hint: "Cell (i, j) begins at (i, j): can your point be before it?",
             answer: |q| {
                 in_cells(q, |how| {
-                    (how.from, how.to) = (Vec2::splat(-0.5), Vec2::splat(0.5))
+                    (how.from, how.to) = (Vec2::splat(-0.5), Vec2::splat(0.5));
                 })
             },
         },

@@ -43,8 +43,11 @@ struct How {
     /// No dart is kept that is nearer to an edge of the square than this.
     border: f32,
     /// Whether a dart has room among the points before; without it, their distance decides.
-    has_room: Option<fn(dart: Vec2, points: &[Vec2], distance: f32) -> bool>,
+    has_room: Option<HasRoom>,
 }
+
+/// Whether a dart may stay beside the points before, where a distance is asked.
+type HasRoom = fn(dart: Vec2, points: &[Vec2], distance: f32) -> bool;
 
 /// Darts, rightly but for what is changed.
 fn darts(q: &PoissonDisk, change: impl FnOnce(&mut How)) -> Vec<Vec2> {

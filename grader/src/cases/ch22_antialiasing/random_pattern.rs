@@ -98,6 +98,13 @@ impl Graded for RandomPattern {
         let points: Vec<_> = got.iter().map(|p| p.as_dvec2()).collect();
         let mut traits = traits::of_square(&points);
         traits.push(got.len() as f64 / f64::from(q.n.max(1)));
+        // Even steps make narrow strips even, of which the eight parts of a side know nothing.
+        let strips = q.n / 4;
+        let uneven = [0, 1].map(|axis| {
+            let along = points.iter().map(|p| p[axis]);
+            0.5 * traits::unevenness(along, strips)
+        });
+        traits.extend(uneven);
         traits
     }
 

@@ -127,7 +127,7 @@ impl Graded for RegularGrid {
             hint: "Are i/columns and j/rows whole numbers in your language? What is 1/2 then?",
             answer: |q| {
                 in_cells(q, |how| {
-                    (how.cell, how.part_of) = (|_, _, _| Vec2::ZERO, Vec2::ONE)
+                    (how.cell, how.part_of) = (|_, _, _| Vec2::ZERO, Vec2::ONE);
                 })
             },
         },
@@ -151,7 +151,7 @@ impl Graded for RegularGrid {
             hint: "How many points are there in a grid of two cells by two? Where do your loops end?",
             answer: |q| {
                 in_cells(q, |how| {
-                    how.loops = how.loops.map(|count| count.saturating_sub(1))
+                    how.loops = how.loops.map(|count| count.saturating_sub(1));
                 })
             },
         },

@@ -210,7 +210,7 @@ impl Graded for RotatedGrid {
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
             answer: |q| {
                 points(q, |how| {
-                    how.turn = mat2(vec2(2.0, 1.0), vec2(1.0, 2.0)) / 5.0_f32.sqrt()
+                    how.turn = mat2(vec2(2.0, 1.0), vec2(1.0, 2.0)) / 5.0_f32.sqrt();
                 })
             },
         },
@@ -219,7 +219,7 @@ impl Graded for RotatedGrid {
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
             answer: |q| {
                 points(q, |how| {
-                    how.turn = mat2(vec2(2.0, -1.0), vec2(-1.0, 2.0)) / 5.0_f32.sqrt()
+                    how.turn = mat2(vec2(2.0, -1.0), vec2(-1.0, 2.0)) / 5.0_f32.sqrt();
                 })
             },
         },
@@ -253,7 +253,7 @@ impl Graded for RotatedGrid {
             hint: "In which unit is the offset, and along which axes is it measured?",
             answer: |q| {
                 points(q, |how| {
-                    (how.offset, how.after) = (Vec2::ZERO, q.offset / q.spacing)
+                    (how.offset, how.after) = (Vec2::ZERO, q.offset / q.spacing);
                 })
             },
         },
@@ -272,7 +272,7 @@ impl Graded for RotatedGrid {
             hint: "Which points must be in the square: the rotated ones, or those before?",
             answer: |q| {
                 points(q, |how| {
-                    how.keeps = |half, before, _| is_inside(before, half)
+                    how.keeps = |half, before, _| is_inside(before, half);
                 })
             },
         },
@@ -286,7 +286,7 @@ impl Graded for RotatedGrid {
             hint: WRAPPED_HINT,
             answer: |q| {
                 points(q, |how| {
-                    (how.takes, how.keeps, how.ends) = (of_a_piece, |_, _, _| true, Vec2::fract_gl)
+                    (how.takes, how.keeps, how.ends) = (of_a_piece, |_, _, _| true, Vec2::fract_gl);
                 })
             },
         },
@@ -340,7 +340,7 @@ impl Graded for RotatedGrid {
             hint: "Which points must be in the square: the rotated ones, or those before?",
             answer: |q| {
                 clockwise(q, |how| {
-                    how.keeps = |half, before, _| is_inside(before, half)
+                    how.keeps = |half, before, _| is_inside(before, half);
                 })
             },
         },

@@ -110,12 +110,20 @@ impl<'a> Trial<'a> {
         // Of all answers together it is known best how estimates scatter.
         let all = self.evidence.and_further(cases, answers);
         if self.suspects.is_empty() {
-            let found = spread::search(&all, None)?;
-            let is_sure = found.is_alone && names(&found.diagnosis) == names(self.told);
+            let found = spread::search(&all, None).filter(|found| found.is_alone)?;
             let further = found.diagnosis.explained.checked_sub(self.told.explained)?;
-            return is_sure.then(|| Diagnosis {
+            let told = names(self.told);
+            let names = names(&found.diagnosis);
+            // One of two explains all answers alone, as it turns out.
+            let is_one_of_them = names.iter().all(|name| told.contains(name));
+            let one = Diagnosis {
+                name: found.diagnosis.name.clone(),
+                hint: found.diagnosis.hint.clone(),
+                ..self.told.clone()
+            };
+            return is_one_of_them.then(|| Diagnosis {
                 further,
-                ..self.convicted(self.told, second(self.told))
+                ..self.convicted(&one, second(&found.diagnosis))
             });
         }
         let before = cases.len() - self.cases.len();

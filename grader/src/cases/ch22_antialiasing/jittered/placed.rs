@@ -3,6 +3,7 @@
 use crate::Verdict;
 use crate::cases::ch22_antialiasing::points;
 use crate::together::Bounds;
+use crate::traits;
 use glam::{Vec2, vec2};
 use raybook_workbook::exercises::ch22_antialiasing::Jittered;
 use std::collections::BTreeMap;
@@ -97,20 +98,11 @@ pub(super) fn by_cells(q: &Jittered, points: &[Vec2], order: CellOrder) -> Vec<V
 /// This number of cells tells what the distribution of places is.
 pub(super) const MANY: f64 = 100.0;
 
-/// How unevenly the points are shared among the columns of cells, and among the rows: 0 if all have as many, about 1 by chance,
-/// and never more than 4.
+/// How unevenly the points are shared among the columns of cells, and among the rows.
 pub(super) fn unevenness(q: &Jittered, points: &[Vec2]) -> [f64; 2] {
     [0, 1].map(|axis| {
-        let groups = [q.columns, q.rows][axis].max(1);
-        let mut counts = vec![0.0_f64; groups as usize];
-        for p in points {
-            let group = (groups as f32 * p[axis]) as usize; // the nearest, if it is outside of the square
-            counts[group.min(groups as usize - 1)] += 1.0;
-        }
-        let n = points.len().max(1) as f64;
-        let mean = n / f64::from(groups);
-        let squares: f64 = counts.iter().map(|count| (count - mean).powi(2)).sum();
-        (squares / n).min(4.0)
+        let along = points.iter().map(|p| p[axis].into());
+        traits::unevenness(along, [q.columns, q.rows][axis])
     })
 }
 

@@ -48,7 +48,7 @@ fn nothing_is_lost() {
     let named = sum(|e| e.named().expect("they can be read").len());
     assert!(named >= 742, "{named} named cases");
     let mistakes = sum(|e| e.mistakes().len());
-    assert!(mistakes >= 2362, "{mistakes} mistakes");
+    assert!(mistakes >= 2364, "{mistakes} mistakes");
     let names = |chapters: &[curriculum::Chapter]| -> Vec<_> {
         let asked = chapters.iter().flat_map(curriculum::Chapter::exercises);
         asked.map(|asked| asked.name).collect()

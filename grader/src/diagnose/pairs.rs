@@ -283,7 +283,11 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
         let score = evidence.score(share, |k| answers[k].clone())?;
         let told = upon.told(evidence);
         let names = [0, 1].map(|i| (&*told[i].0, &*told[i].1));
-        let mut pair = pair(names, UPON, 0, score, answers);
+        // Of two of which one undoes a part of the other, the words say more than what is so: two that go in any order come first.
+        let back = Upon::new(second, first);
+        let is_undone = |k: usize| upon.answer(&probe, k) != back.answer(&probe, k);
+        let rank = UPON + u32::from((0..probe.items.len()).any(is_undone));
+        let mut pair = pair(names, rank, 0, score, answers);
         pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
         Some(pair)
     }));

@@ -108,6 +108,16 @@ impl Graded for RegularGrid {
             answer: |q| in_cells(q, |how| how.pixel = Vec2::ZERO),
         },
         Mistake {
+            name: "adds the pixel's column only, and not its row",
+            hint: "In which row of pixels are your points?",
+            answer: |q| in_cells(q, |how| how.pixel.y = 0.0),
+        },
+        Mistake {
+            name: "adds the pixel's row only, and not its column",
+            hint: "In which column of pixels are your points?",
+            answer: |q| in_cells(q, |how| how.pixel.x = 0.0),
+        },
+        Mistake {
             name: "centres the cells around the pixel's corner",
             hint: "Pixel (x, y) begins at (x, y) and ends at (x + 1, y + 1): where is its middle?",
             answer: |q| in_cells(q, |how| how.pixel -= 0.5),

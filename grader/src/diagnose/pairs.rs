@@ -285,8 +285,9 @@ pub fn made_upon(evidence: &Evidence<'_>, found: &mut Vec<Found>) {
         let names = [0, 1].map(|i| (&*told[i].0, &*told[i].1));
         // Of two of which one undoes a part of the other, the words say more than what is so: two that go in any order come first.
         let back = Upon::new(second, first);
-        let is_undone = |k: usize| upon.answer(&probe, k) != back.answer(&probe, k);
-        let rank = UPON + u32::from((0..probe.items.len()).any(is_undone));
+        let differs = |k: &usize| upon.answer(&probe, *k) != back.answer(&probe, *k);
+        let differ = (0..probe.items.len()).filter(differs).count();
+        let rank = UPON + u32::from(differ > 0 && back.is_made());
         let mut pair = pair(names, rank, 0, score, answers);
         pair.decide_ties(evidence, &|question| upon.answer_to(evidence, question));
         Some(pair)

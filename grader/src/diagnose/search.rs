@@ -72,8 +72,7 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
             let is_vague = best.is_categorical() && one.is_own() || is_rough;
             let is_near = one.score.missed == 0 && one.is_nearly_complete();
             let is_as_exact = one.ties <= best.ties;
-            let is_good = one.is_complete() || is_rough && is_near;
-            is_vague && is_as_exact && is_good && !says_the_same(&best, one)
+            is_vague && is_as_exact && (one.is_complete() || is_rough && is_near)
         } else {
             one.key() == best.key() && one.name != best.name
         }
@@ -84,24 +83,6 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
         best.rival = rival.map(|rival| (rival.name, rival.hint));
     }
     Some(best)
-}
-
-/// Whether a number that fits estimates says of all of them, but for what chance scatters, what a mistake does: "2 times" beside "twice".
-fn says_the_same(mistake: &Found, fit: &Found) -> bool {
-    /// What chance scatters, as a share of the estimate.
-    const CHANCE: f64 = 0.05;
-    let are_near = |(a, b): (&Vec<f64>, &Vec<f64>)| {
-        let mut both = a.iter().zip(b);
-        a.len() == b.len() && both.all(|(a, b)| (a - b).abs() <= CHANCE * b.abs())
-    };
-    let both = mistake
-        .answers
-        .iter()
-        .flatten()
-        .zip(fit.answers.iter().flatten());
-    let near = both.filter(|both| are_near(*both)).count();
-    // Where little light comes, chance scatters more.
-    fit.fitted > 0 && 10 * near >= 9 * fit.answers.len()
 }
 
 /// The exercise's own mistakes that give this share of the wrong answers.

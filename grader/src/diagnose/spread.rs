@@ -1,5 +1,7 @@
 //! Answers of which many are right: a mistake shows in their traits, costs or shares of a distribution, over all cases together.
 
+mod distance;
+
 use super::evidence::{Evidence, Item};
 use super::fit;
 use super::function::COMMON;
@@ -9,12 +11,7 @@ use super::search::{golden, misread};
 use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
 use crate::each::{each, found_of_each};
-
-/// What is not explained by a mistake may be this share of what it explains …
-const REST: f64 = 0.35;
-
-/// … or this many standard errors of it.
-const ERRORS: f64 = 3.0;
+use distance::{Distance, PROMISING, Traits};
 
 /// Of what explains next to all, this share of the distance is left at most.
 const NEAR: f64 = 0.2;
@@ -39,122 +36,11 @@ const SOME_ALIKE: usize = 4;
 /// number.
 const SELDOM: usize = 12;
 
-/// Traits this close are the same.
-const CLOSE: f64 = 2e-3;
-
-/// How far the traits of answers are from the student's: the mean difference of each, and its standard error.
-struct Distance {
-    mean: Vec<f64>,
-    error: Vec<f64>,
-}
-
-impl Distance {
-    fn norm(&self) -> f64 {
-        self.mean.iter().map(|v| v * v).sum::<f64>().sqrt()
-    }
-
-    /// The same without what chance adds: to the square of each mean, that of its error, on average.
-    fn beyond_chance(&self) -> f64 {
-        let beyond = self.norm().powi(2) - self.chance().powi(2);
-        beyond.max(0.0).sqrt()
-    }
-
-    /// What chance makes of a distance of which nothing is left.
-    fn chance(&self) -> f64 {
-        self.error.iter().map(|e| e * e).sum::<f64>().sqrt()
-    }
-
-    /// Whether this may be what a good explanation leaves of the distance `whole`, where few answers tell, and chance much.
-    fn promises(&self, whole: &Self) -> bool {
-        self.norm() <= PROMISING * whole.norm() + 2.0 * self.chance()
-    }
-
-    /// Whether nothing is left of a distance but chance.
-    fn explains(&self, whole: &Self) -> bool {
-        let errors = self
-            .error
-            .iter()
-            .map(|e| (ERRORS * e + CLOSE).powi(2))
-            .sum::<f64>()
-            .sqrt();
-        self.norm() <= REST * whole.norm() && self.norm() <= (REST * 0.5 * whole.norm()).max(errors)
-    }
-}
-
-/// The traits of a student's answers.
-struct Traits<'a, 'e> {
-    evidence: &'a Evidence<'e>,
-    got: Vec<Vec<f64>>,
-}
-
-impl<'a, 'e> Traits<'a, 'e> {
-    /// None if the exercise has none.
-    fn of(evidence: &'a Evidence<'e>) -> Option<Self> {
-        let traits = |item: &Item| evidence.examiner.traits(&item.question, &item.got);
-        let got: Vec<_> = evidence.items.iter().map(traits).collect();
-        got.iter()
-            .any(|got| !got.is_empty())
-            .then_some(Self { evidence, got })
-    }
-
-    /// A few wrong answers, on which an explanation is tried before it is tried on all: traits of many points take long. None if there
-    /// are not many more.
-    fn few(&self) -> Option<Vec<usize>> {
-        let wrong = self.evidence.wrong;
-        (wrong >= 2 * FEW).then(|| (0..FEW).map(|k| k * wrong / FEW).collect())
-    }
-
-    /// How far other answers to the same questions are from them; none if there are too few.
-    fn distance(&self, answers: &dyn Fn(usize) -> Option<Vec<f64>>) -> Option<Distance> {
-        let all: Vec<_> = (0..self.got.len()).collect();
-        self.distance_among(&all, answers)
-    }
-
-    /// The same of some of the questions.
-    fn distance_among(
-        &self,
-        some: &[usize],
-        answers: &dyn Fn(usize) -> Option<Vec<f64>>,
-    ) -> Option<Distance> {
-        let mut off: Vec<Vec<f64>> = Vec::new();
-        for &i in some {
-            let Some(answer) = answers(i) else { continue };
-            let (item, got) = (&self.evidence.items[i], &self.got[i]);
-            let theirs = self.evidence.examiner.traits(&item.question, &answer);
-            if theirs.len() == got.len() && !got.is_empty() {
-                off.push(theirs.iter().zip(got).map(|(a, b)| a - b).collect());
-            }
-        }
-        let n = off.len() as f64;
-        let len = off.first()?.len();
-        if off.iter().any(|off| off.len() != len) || 3 * off.len() < some.len() {
-            return None;
-        }
-        let mean: Vec<f64> = (0..len)
-            .map(|k| off.iter().map(|off| off[k]).sum::<f64>() / n)
-            .collect();
-        let variance = |k: usize| {
-            off.iter()
-                .map(|off| (off[k] - mean[k]).powi(2))
-                .sum::<f64>()
-                / (n - 1.0).max(1.0)
-        };
-        let error = (0..len).map(|k| (variance(k) / n).sqrt()).collect();
-        Some(Distance { mean, error })
-    }
-}
-
 /// The number of wrong answers that a slip is tried on before it is tried on all.
 const PROBE: usize = 4;
 
-/// The number of them that any explanation is tried on, where there are twice as many.
-const FEW: usize = 8;
-
 /// A slip of a higher [`Slipped::rank`] is not told by traits alone: among all the rare ones, one comes near by chance.
 const RAREST: u32 = RANK + COMMON + 2;
-
-/// What of the distance may be left in the probe.
-const PROMISING: f64 = 0.6;
 
 /// The rank of a slip: behind the exercise's own mistakes, and before all guesses about answers as a whole.
 const SLIP: u32 = 1;
@@ -305,7 +191,8 @@ fn considered(
     found.extend(found_of_each(&mistakes, |&(i, (name, hint))| {
         consider(0, name, hint, &|k| evidence.mistaken(i, k))
     }));
-    let by_themselves = evidence.are_wrong_by_themselves();
+    // To a single wrong answer something comes near by chance, and so it does to answers that are wrong all together only.
+    let by_themselves = evidence.wrong > 1 && evidence.are_wrong_by_themselves();
     if let Some(readings) = readings {
         let mut made = special::explanations(evidence, &right);
         made.extend(fit::factors(evidence, &right));
@@ -318,12 +205,7 @@ fn considered(
             let answer = |k| misread(evidence, reading, k);
             consider(reading.rank, &reading.name, &reading.hint, &answer)
         }));
-        // To a single wrong answer some slip comes near by chance, and so it does to answers that are wrong all together only.
-        if !evidence.is_judged()
-            && examiner.limits().effort <= 1
-            && by_themselves
-            && evidence.wrong > 1
-        {
+        if !evidence.is_judged() && examiner.limits().effort <= 1 && by_themselves {
             let by_steps = each_slip(evidence, &promising(evidence), |slip| {
                 let answer = |k: usize| slip.answer_to(evidence, k);
                 consider(SLIP, &slip.name, &slip.hint, &answer)
@@ -332,7 +214,7 @@ fn considered(
         }
     }
     let most = nearest(&found);
-    if by_themselves && evidence.wrong > 1 && most > ALMOST * whole.norm() {
+    if by_themselves && most > ALMOST * whole.norm() {
         let pairs = two(evidence, traits, whole).into_iter();
         found.extend(pairs.filter(|pair| pair.rest < TWICE_AS_NEAR * most));
     }

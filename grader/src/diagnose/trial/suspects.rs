@@ -116,7 +116,7 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
 }
 
 /// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle. Of lists
-/// that chance makes, two of which one undoes half of the other give the same as a third.
+/// that chance makes, of which there is none where answers are estimates, two of which one undoes half of the other give the same as a third.
 fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
     let examiner = evidence.examiner;
     if !evidence.is_judged() && !evidence.is_rough() {

@@ -240,7 +240,7 @@ fn the_first_hint_leads_on_and_the_next_exercise_is_named() {
 
     let solution = raybook_common::project("tests/solutions/python/ch01_rays.py");
     fs::copy(solution, folder.join("ch01_rays.py")).expect("it can be copied");
-    let (code, said) = raybook(&folder, &["check", "ch01", "--plain"]);
+    let (code, said) = raybook(&folder, &["check", "ray_at", "camera_ray", "--plain"]);
     assert_eq!(code, 0, "{said}");
     let next = "Next: expose in ch02_hdr.py; `raybook check expose` says how it stands.";
     assert!(said.contains(next), "{said}");

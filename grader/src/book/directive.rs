@@ -1,11 +1,17 @@
-//! A directive on its line: `{{word name | rest}}`.
+//! A directive on its line: `{{word name | rest}}`; `{{turn}}`, without a name, is of all exercises of the page's chapter.
+
+use raybook_workbook::curriculum::{self, Chapter};
+use raybook_workbook::exercise::Asked;
+
+/// The words that need no name.
+const OF_EVERY_EXERCISE: [&str; 3] = ["turn", "reference", "mistakes"];
 
 /// A directive.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Directive<'a> {
     /// What to do.
     pub(crate) word: &'a str,
-    /// Of what.
+    /// Of what; empty where it is of every exercise.
     pub(crate) name: &'a str,
     /// What stands after the bar; empty without one.
     pub(crate) rest: &'a str,
@@ -27,12 +33,36 @@ pub(crate) fn read(line: &str) -> Result<Option<Directive<'_>>, String> {
         return Err("a directive stands alone on its line: {{word name}}".to_owned());
     };
     let (what, rest) = inside.split_once('|').unwrap_or((inside, ""));
-    let (word, name) = what.trim().split_once(' ').ok_or_else(|| {
-        format!("`{inside}` is no directive: expected a word and a name, such as {{{{turn sphere_hit}}}}")
-    })?;
+    let (word, name) = match what.trim().split_once(' ') {
+        Some(both) => both,
+        None if OF_EVERY_EXERCISE.contains(&what.trim()) => (what.trim(), ""),
+        None => {
+            return Err(format!(
+                "`{inside}` is no directive: expected a word and a name, such as {{{{turn sphere_hit}}}}; only {} can stand alone",
+                OF_EVERY_EXERCISE.join(", ")
+            ));
+        }
+    };
     Ok(Some(Directive {
         word,
         name: name.trim(),
         rest: rest.trim(),
     }))
+}
+
+impl Directive<'_> {
+    /// The exercises that a directive without a name is of: those of the page's chapter, in their order.
+    ///
+    /// # Errors
+    /// If the page is no lesson.
+    pub(crate) fn exercises(&self, page: &str) -> Result<&'static [Asked], String> {
+        let chapter = curriculum::find(page.trim_end_matches(".md"));
+        let exercises = chapter.map(Chapter::exercises);
+        exercises.ok_or_else(|| {
+            format!(
+                "{page} is no lesson: `{}` needs an exercise's name here",
+                self.word
+            )
+        })
+    }
 }

@@ -21,14 +21,22 @@ struct Shown<'a> {
     why: String,
 }
 
-/// The gallery of an exercise's mistakes; their pictures are written into the folder `mistakes` of `pictures`. What this very program
+/// The gallery of an exercise's mistakes, below the sentence that each of them ends; their pictures are written into the folder `mistakes` of `pictures`. What this very program
 /// drew there before is not drawn again. The gallery's text is kept beside its pictures; mdBook does not copy a file `*.md` into the book.
 ///
 /// # Errors
 /// If a picture cannot be written.
 pub(super) fn expand(examiner: &dyn Examiner, pictures: &Path) -> Result<String, String> {
     let file = pictures.join(format!("mistakes/{}.md", examiner.name()));
-    kept::or_make(&file, || drawn(examiner, pictures))
+    let gallery = kept::or_make(&file, || drawn(examiner, pictures))?;
+    let name = examiner.name();
+    let begins = match examiner.pictures()[..] {
+        [] => format!("A function `{name}` answers wrongly if …"),
+        _ => format!(
+            "A function `{name}` draws the first picture if it is right, and answers wrongly if …"
+        ),
+    };
+    Ok(format!("{begins}\n\n{gallery}"))
 }
 
 /// The gallery, drawn.

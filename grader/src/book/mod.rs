@@ -6,16 +6,19 @@
 //! |---|---|
 //! | `{{figure roots \| alternative text}}` | a figure of this chapter, with the caption that the run which drew it gave it |
 //! | `{{example sphere_hit}}`, `{{example sphere_hit \| head on}}` | an exercise's first named case, or the one of this name |
-//! | `{{turn sphere_hit}}` | the task, the signature in four languages, parameters, command, limits |
-//! | `{{reference sphere_hit}}`, `{{reference src/render/path.rs:path}}` | the reference, folded |
+//! | `{{turn}}` | of every exercise of the chapter the task, the signature in four languages, parameters, command, limits |
+//! | `{{reference}}`, `{{reference src/render/path.rs:path}}` | of every exercise the reference, folded; another anchor |
 //! | `{{listing src/shape/mod.rs:shape}}` | an anchor of the library, open |
-//! | `{{mistakes sphere_hit}}` | the exercise's mistakes: name, message, answer, picture |
+//! | `{{mistakes}}` | of every exercise the mistakes: name, message, answer, picture |
 //! | `{{scene ch12_phong \| alternative text}}` | the scene that grows, as the functions up to this chapter draw it |
 //! | `{{path 1 2 3 12}}` | an order in which these lessons can be read, by what each of them needs |
 //! | `{{index glossary.md}}` | the terms of the glossary, with the pages on which each occurs |
 //! | `{{library src}}` | the library's files, with their public items |
 //! | `{{commands raybook}}` | the commands, with their parameters |
 //! | `{{measured proof}}` | what a test measured and wrote down in `golden/measured`: a table, or a sentence of a paragraph |
+//!
+//! `{{turn sphere_hit}}`, `{{reference sphere_hit}}` and `{{mistakes sphere_hit}}` are of one exercise. A lesson names none, so that an exercise
+//! that is added stands in it.
 //!
 //! Besides, `chapter 7` and `Kajiya 1986` in a text become links, and so do names in back quotes: exercises, commands, files and items of the
 //! library. In a listing, the library's names are links. Above a lesson stands how long it takes to read, and which lessons it needs. The
@@ -115,7 +118,12 @@ impl Book {
             }
             match directive::read(line).map_err(at)? {
                 Some(directive) => {
-                    expanded.push_str(&self.become_text(page, &directive, &links).map_err(at)?);
+                    let text = if directive.name.is_empty() {
+                        self.of_exercises(page, &directive, &links)
+                    } else {
+                        self.become_text(page, &directive, &links)
+                    };
+                    expanded.push_str(&text.map_err(at)?);
                 }
                 None if fenced => expanded.push_str(line),
                 None if page == citation::BIBLIOGRAPHY => {
@@ -126,6 +134,24 @@ impl Book {
             expanded.push('\n');
         }
         Ok(text::with_head(page, &expanded, source))
+    }
+
+    /// What a directive without a name becomes: the same of one exercise after the other.
+    fn of_exercises(
+        &self,
+        page: &str,
+        directive: &Directive<'_>,
+        links: &Links,
+    ) -> Result<String, String> {
+        let exercises = directive.exercises(page)?.iter();
+        let parts: Result<Vec<_>, _> = exercises
+            .map(|asked| Directive {
+                name: asked.name,
+                ..*directive
+            })
+            .map(|of_one| self.become_text(page, &of_one, links))
+            .collect();
+        Ok(parts?.join("\n\n"))
     }
 
     /// What a directive becomes.

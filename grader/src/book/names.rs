@@ -4,6 +4,7 @@ use super::Page;
 use super::commands;
 use super::items::{self, Item, LIBRARY, Section};
 use clap::Command;
+use raybook_workbook::curriculum::{self, Chapter};
 use std::collections::HashMap;
 
 /// The places in the book to which names lead.
@@ -57,15 +58,10 @@ impl Names {
         }
         places.retain(|_, place| !place.is_empty());
         for page in pages {
-            for exercise in page
-                .text
-                .lines()
-                .filter_map(|line| line.strip_prefix("{{turn ")?.strip_suffix("}}"))
-            {
-                places.insert(
-                    exercise.to_owned(),
-                    format!("{}#turn-{exercise}", page.name),
-                );
+            let chapter = curriculum::find(page.name.trim_end_matches(".md"));
+            for asked in chapter.map_or(&[][..], Chapter::exercises) {
+                let place = format!("{}#turn-{}", page.name, asked.name);
+                places.insert(asked.name.to_owned(), place);
             }
         }
         for name in commands::shown(command).map(Command::get_name) {

@@ -5,7 +5,7 @@ use super::names::Names;
 use super::{Page, order};
 use clap::Command;
 use maud::html;
-use raybook_workbook::curriculum::CHAPTERS;
+use raybook_workbook::curriculum::{self, CHAPTERS};
 
 /// Words a minute, of a text with formulas in a language that is not the reader's own.
 const WORDS_A_MINUTE: usize = 120;
@@ -117,12 +117,9 @@ pub(super) fn with_head(page: &str, expanded: &str, source: &str) -> String {
             words += line.split_whitespace().count();
         }
     }
-    let exercises = source
-        .lines()
-        .filter(|line| line.starts_with("{{turn "))
-        .count();
     let minutes = 5 * words.div_ceil(5 * WORDS_A_MINUTE);
-    let exercises = match exercises {
+    let chapter = curriculum::find(page.trim_end_matches(".md"));
+    let exercises = match chapter.map_or(0, |chapter| chapter.exercises().len()) {
         1 => "one exercise".to_owned(),
         n => format!("{n} exercises"),
     };

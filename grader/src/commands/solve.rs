@@ -11,7 +11,7 @@ use raybook_grader::language::Language;
 use raybook_grader::lock::Lock;
 use raybook_grader::progress::{KEPT, unused};
 use raybook_grader::recipe::Recipe;
-use raybook_grader::starter::{place, reference_alone, reference_file};
+use raybook_grader::starter::{place, reference, reference_alone, reference_file};
 use raybook_grader::{cases, student};
 use std::collections::BTreeSet;
 use std::error::Error;
@@ -42,6 +42,23 @@ impl Solve {
             )
         })?;
         let names: Vec<_> = examiners.iter().map(|examiner| examiner.name()).collect();
+        let is_solved = |name: &&str| reference(language, name).is_some();
+        let unsolved: Vec<_> = names
+            .iter()
+            .copied()
+            .filter(|name| !is_solved(name))
+            .collect();
+        if !unsolved.is_empty() {
+            let told = format!(
+                "{}: no reference in {} yet; `raybook book` has the one in Rust",
+                unsolved.join(", "),
+                language.name()
+            );
+            if unsolved.len() == names.len() {
+                return Err(told.into());
+            }
+            say(told);
+        }
         let places = names.iter().filter_map(|name| place(language, name));
         let places: BTreeSet<_> = places.collect();
         ask_the_course(&folder)?;
@@ -50,6 +67,7 @@ impl Solve {
             let (asked, others): (Vec<_>, Vec<_>) = written_in(language, &file)
                 .into_iter()
                 .partition(|name| names.contains(name));
+            let asked: Vec<_> = asked.into_iter().filter(is_solved).collect();
             if !others.is_empty() {
                 record(&folder, &asked)?;
                 show(language, &file, &asked, &others);

@@ -149,19 +149,26 @@ fn stubs(chapter: &Chapter) -> String {
         chapter.name
     );
     for asked in chapter.exercises() {
-        let names = asked.parameters().iter().map(|field| safe(field.name));
-        let names: Vec<_> = names.collect();
-        let _ = write!(
-            text,
-            "\n{}{}{} {{\n    todo(\"{}\", {}); // write it here\n}}\n",
-            comment(asked, "// ", safe),
-            notes(asked),
-            signature(asked),
-            asked.name,
-            names.join(", ")
-        );
+        text.push_str(&stub(asked));
     }
-    text + "\n}\n"
+    text + END
+}
+
+/// The end of a chapter's namespace, and of its file.
+pub(super) const END: &str = "\n}\n";
+
+/// A function that is still to be written.
+pub(super) fn stub(asked: &Asked) -> String {
+    let names = asked.parameters().iter().map(|field| safe(field.name));
+    let names: Vec<_> = names.collect();
+    format!(
+        "\n{}{}{} {{\n    todo(\"{}\", {}); // write it here\n}}\n",
+        comment(asked, "// ", safe),
+        notes(asked),
+        signature(asked),
+        asked.name,
+        names.join(", ")
+    )
 }
 
 /// What would have to be looked up: how an answer says that there is none, and the members of the types that are given and returned.

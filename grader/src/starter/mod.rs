@@ -99,17 +99,27 @@ pub fn place(language: Language, exercise: &str) -> Option<String> {
 }
 
 /// The file at this place of a workbook, with nothing left to write: in Rust the library's, in other languages a solution that mostly takes
-/// another way than the library.
+/// another way than the library. An exercise that has no solution in this language is still a stub there.
 pub fn reference_file(language: Language, place: &str) -> Option<String> {
-    match language {
-        Language::Rust => library::reference_file(place),
-        Language::Python | Language::Cpp => {
-            library::solution(language.name(), place).map(str::to_owned)
+    let solved = match language {
+        Language::Rust => return library::reference_file(place),
+        Language::Python | Language::Cpp => library::solution(language.name(), place)?,
+    };
+    let chapter = curriculum::find(place.split_once('.')?.0)?;
+    let unsolved = chapter.exercises().iter();
+    let unsolved = unsolved.filter(|asked| reference(language, asked.name).is_none());
+    Some(match language {
+        Language::Cpp => {
+            let stubs: String = unsolved.map(cpp::stub).collect();
+            format!("{}{stubs}{}", solved.strip_suffix(cpp::END)?, cpp::END)
         }
-    }
+        _ => unsolved
+            .map(python::stub)
+            .fold(solved.to_owned(), |text, stub| text + &stub),
+    })
 }
 
-/// The reference's function of an exercise: in Rust the library's, in other languages that of the solution.
+/// The reference's function of an exercise: in Rust the library's, in other languages that of the solution, if there is one.
 pub fn reference(language: Language, exercise: &str) -> Option<String> {
     if language == Language::Rust {
         return library::reference(exercise).map(str::to_owned);
@@ -141,7 +151,8 @@ pub fn reference_alone(language: Language, exercise: &str) -> Option<String> {
     }
     let others = curriculum::of_exercise(exercise)?.exercises().iter();
     let others = others.filter(|asked| asked.name != exercise);
-    let mut text = reference_file(language, &place(language, exercise)?)?;
+    reference(language, exercise)?;
+    let mut text = library::solution(language.name(), &place(language, exercise)?)?.to_owned();
     for other in others.filter_map(|asked| reference(language, asked.name)) {
         if let Some((before, after)) = text.split_once(&other) {
             let comment = |line: &&str| line.starts_with("//") || line.starts_with('#');

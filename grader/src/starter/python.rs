@@ -169,7 +169,8 @@ pub fn signature(asked: &Asked) -> String {
     )
 }
 
-fn stub(asked: &Asked) -> String {
+/// A function that is still to be written.
+pub(super) fn stub(asked: &Asked) -> String {
     let signature = signature(asked);
     let mut comment = comment(asked, "    ", parameter);
     if let Some(members) = members(asked) {

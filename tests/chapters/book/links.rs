@@ -2,6 +2,7 @@
 
 use super::{page, pages};
 use raybook_common::project;
+use raybook_workbook::curriculum::{self, Chapter};
 use std::collections::BTreeSet;
 
 #[test]
@@ -81,13 +82,18 @@ fn wrong(on: &str, link: &str) -> Option<String> {
     if pages().iter().all(|(name, _)| name != file) {
         return Some(format!("there is no page {file}"));
     }
-    let found = place.is_empty() || places(&page(file)).contains(place);
+    let found = place.is_empty() || places(file).contains(place);
     (!found).then(|| format!("{file} has no place {place}"))
 }
 
 /// The places of a page: its headings, its terms, its exercises and its figures.
-fn places(text: &str) -> BTreeSet<String> {
-    let mut places = BTreeSet::new();
+fn places(file: &str) -> BTreeSet<String> {
+    let text = page(file);
+    let chapter = curriculum::find(file.trim_end_matches(".md"));
+    let exercises = chapter.map_or(&[][..], Chapter::exercises).iter();
+    let mut places: BTreeSet<_> = exercises
+        .map(|asked| format!("turn-{}", asked.name))
+        .collect();
     let mut lines = text.lines().peekable();
     while let Some(line) = lines.next() {
         let word = |start: &str| {
@@ -101,8 +107,6 @@ fn places(text: &str) -> BTreeSet<String> {
         let is_term = lines.peek().is_some_and(|next| next.starts_with(": "));
         if line.starts_with("##") || is_term {
             places.insert(place(line.trim_start_matches('#').trim()));
-        } else if let Some(exercise) = word("{{turn ") {
-            places.insert(format!("turn-{exercise}"));
         } else if let Some(figure) = word("{{figure ") {
             places.insert(format!("figure-{figure}"));
         }

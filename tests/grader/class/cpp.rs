@@ -2,8 +2,8 @@
 
 use super::{Course, own, text};
 use crate::hostile::there_is;
-use raybook_common::project;
-use raybook_grader::starter::cpp;
+use raybook_grader::language::Language;
+use raybook_grader::starter::{cpp, reference_file};
 
 const LIMITS: &str = "[limits]\nanswer_seconds = 1\nexercise_seconds = 2\n";
 
@@ -24,7 +24,7 @@ fn what_was_given_out_is_linked_and_what_was_changed_is_compiled() {
     }
     // With exercises of the instructor's own, which no workbook here answers.
     let course = own::course(own::ANSWERS, &format!("{LIMITS}{}", own::COURSE));
-    let solved = text(&project("tests/solutions/cpp/ch01_rays.cpp"));
+    let solved = reference_file(Language::Cpp, "ch01_rays.cpp").expect("there is a solution");
     let wrong = solved.replace(
         "ray_at(const Ray& ray, double t) {",
         "ray_at(const Ray& ray, double t) { t = -t;",

@@ -5,6 +5,7 @@ use crate::common::command::raybook;
 use raybook_common::project;
 use raybook_grader::cases;
 use raybook_grader::language::Language;
+use raybook_grader::starter::reference_file;
 use std::fs;
 use std::path::Path;
 
@@ -121,11 +122,9 @@ fn a_strangers_folder_is_built_and_asked_in_the_sandbox() {
             continue;
         }
         let folder = new(home.path(), language.name(), language);
-        let solution = place(language);
-        let solved = project("tests/solutions")
-            .join(language.name())
-            .join(&solution);
-        fs::copy(solved, folder.join(&solution)).expect("it can be copied");
+        let file = place(language);
+        let solution = reference_file(language, &file).expect("there is a solution");
+        fs::write(folder.join(file), solution).expect("it can be written");
         let name = language.name();
         let (code, said) = raybook(home.path(), &["check", "ray_at", "--program", name]);
         assert_eq!(code, 0, "{name}: {said}");

@@ -229,6 +229,9 @@ fn depends_on_seed<Q>(
     (alike >= PAIRS && !is_unclear).then_some(false)
 }
 
+/// How [`seeded`] begins its complaint.
+pub const SEEDS: &str = "the seeds";
+
 /// Whether answers to questions of which only the seed differs do differ, in each coordinate. `same` says of two of them whether all else is
 /// the same. That half of eight or more numbers come again has a probability below 1e-14, also if only four digits are printed of them.
 ///
@@ -270,7 +273,7 @@ pub fn seeded<Q>(
                 () => continue,
             };
             return Err(format!(
-                "the seeds {} and {} give the same {what}",
+                "{SEEDS} {} and {} give the same {what}",
                 seed(other),
                 seed(one)
             ));

@@ -4,9 +4,10 @@ use super::evidence::{Evidence, Item};
 use super::{Beside, Diagnosis, MOST};
 use crate::Flaw;
 use crate::examine::Examiner;
-use crate::together::Bounds;
+use crate::together::{Bounds, SEEDS};
 use std::cmp::Reverse;
 use std::collections::HashSet;
+use std::iter;
 
 /// The share of the wrong answers that a flaw must be seen in, if nothing better is known.
 const SOME: f64 = 0.25;
@@ -104,6 +105,30 @@ pub fn of_all_together(examiner: &dyn Examiner, why: &str, answers: usize) -> Op
     let mut flaws = examiner.flaws().iter();
     let flaw = flaws.find(|flaw| why.contains(flaw.complaint))?;
     Some(told(examiner, flaw, &complaints, answers))
+}
+
+/// What is wrong with the seed, beside what is told already: equal points of two seeds are there to see, whatever the points are. Who
+/// makes them without random numbers ignores no seed.
+pub fn of_seeds(evidence: &Evidence<'_>, told: &Diagnosis) -> Option<Diagnosis> {
+    let examiner = evidence.examiner;
+    let complaint = |answer: &dyn Fn(&Item) -> Option<Vec<f64>>| {
+        let row = |item: &Item| Some((item.question.clone(), answer(item)?));
+        let rows: Vec<_> = evidence.items.iter().filter_map(row).collect();
+        let why = examiner.compare_together(&rows, Bounds::CHANCE).err();
+        why.filter(|why| why.starts_with(SEEDS))
+    };
+    let why = complaint(&|item| Some(item.raw.clone()))?;
+    let mut all = iter::once(told).chain(&told.also);
+    let is_caused = all.any(|one| {
+        let own = examiner.mistake_called(&one.name);
+        own.is_some_and(|i| {
+            complaint(&|item| examiner.mistake_answers(i, &item.question)).is_some()
+        })
+    });
+    if is_caused {
+        return None;
+    }
+    of_all_together(examiner, &why, evidence.wrong).filter(|seeds| !told.tells(&seeds.name))
 }
 
 /// A flaw, and how many of the complaints, each of a case, are about it. It is there to see, and explains nothing, unless it is called as a

@@ -61,6 +61,13 @@ pub struct Diagnosis {
     pub also: Vec<Diagnosis>,
 }
 
+impl Diagnosis {
+    /// Whether a mistake of this name is told.
+    fn tells(&self, name: &str) -> bool {
+        self.name == name || self.also.iter().any(|also| also.name == name)
+    }
+}
+
 /// How another mistake goes with the one that is told first.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Beside {
@@ -126,6 +133,8 @@ pub fn diagnose(
     if flaws::are_called(&diagnosis.name, examiner) {
         regime::add_to(&mut diagnosis, &evidence);
     }
+    let seeds = flaws::of_seeds(&evidence, &diagnosis);
+    diagnosis.also.extend(seeds);
     diagnosis.wrong = wrong;
     for also in &mut diagnosis.also {
         also.wrong = wrong;

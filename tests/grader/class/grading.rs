@@ -5,7 +5,7 @@ use raybook_grader::class::journal;
 use raybook_grader::class::record::{Record, Standing};
 use std::fs;
 
-const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\n";
+const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at', 'camera_ray']\n";
 
 const CPP: &str = r#"
 #include "beside.hpp"

@@ -12,7 +12,7 @@ use std::process::Command;
 use std::thread::sleep;
 use std::time::Duration;
 
-const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\n[[chapter]]\nchapter = 'ch04'\n";
+const COURSE: &str = "[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at', 'camera_ray']\n[[chapter]]\nchapter = 'ch04'\nexercises = ['plane_hit']\n";
 
 /// A class of different hand-ins, every third of them wrong.
 fn class(hand_ins: usize) -> Course {

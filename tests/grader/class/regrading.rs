@@ -3,7 +3,7 @@
 use super::{Course, KEY, RIGHT, text, wrong_sign};
 use std::fs;
 
-const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\n";
+const COURSE: &str = "term = 'now'\npartial = 0.5\n[[chapter]]\nchapter = 'ch01'\nexercises = ['ray_at', 'camera_ray']\n";
 
 #[test]
 fn other_hidden_cases_for_another_term_or_key() {

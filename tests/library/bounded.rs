@@ -10,9 +10,10 @@ use raybook::accel::{Accel, grid::Grid, list::List, wide_bvh::WideBvh};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::shape::mesh::Facet;
 use raybook_common::counting::peak;
+use raybook_common::thorough;
 use std::f32::consts::TAU;
 
-/// Triangles of each mesh.
+/// Triangles of each mesh, in a thorough test.
 const N: u32 = 40_000;
 
 /// The most that a structure may take per triangle, with the triangles, in bytes.
@@ -183,7 +184,7 @@ fn alone<T: Send>(work: impl FnOnce() -> T + Send) -> T {
 
 /// Builds a structure over every mesh; asserts what it takes, and that some rays are answered as by the list.
 fn bounded<A: Accel<Facet>>(build: impl Fn(Vec<Facet>) -> A + Sync, bytes: impl Fn(&A) -> usize) {
-    for (name, facets) in meshes(N) {
+    for (name, facets) in meshes(thorough(N)) {
         // All of it on one thread, for each counts what it allocates itself.
         let (peak, accel) = alone(|| peak(|| build(facets.clone())));
         let [stays, peak] = [bytes(&accel), peak].map(|bytes| bytes / facets.len());

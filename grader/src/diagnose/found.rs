@@ -46,18 +46,6 @@ impl Found {
         )
     }
 
-    /// Whether another one gives nearly the same answers, of which estimates cannot tell it apart: twice the radiance, and 2.01 times.
-    pub fn answers_as(&self, other: &Self) -> bool {
-        let is_near = |(x, y): (&f64, &f64)| (x - y).abs() <= 0.02 * x.abs().max(y.abs());
-        let mut pairs = self.answers.iter().zip(&other.answers);
-        pairs.all(|pair| match pair {
-            (Some(one), Some(other)) => {
-                one.len() == other.len() && one.iter().zip(other).all(is_near)
-            }
-            (one, other) => one == other,
-        })
-    }
-
     /// Whether it explains all wrong answers, and contradicts no right one.
     pub fn is_complete(&self) -> bool {
         self.score.missed + self.score.contradicted == 0

@@ -72,8 +72,7 @@ fn best(mut found: Vec<Found>) -> Option<Found> {
             let is_vague = best.is_categorical() && one.is_own() || is_rough;
             let is_near = one.score.missed == 0 && one.is_nearly_complete();
             let is_as_exact = one.ties <= best.ties;
-            let is_other = !is_rough || !best.answers_as(one);
-            is_vague && is_as_exact && is_other && (one.is_complete() || is_rough && is_near)
+            is_vague && is_as_exact && (one.is_complete() || is_rough && is_near)
         } else {
             one.key() == best.key() && one.name != best.name
         }

@@ -28,6 +28,15 @@ pub fn project(path: &str) -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/../..")).join(path)
 }
 
+/// How many of these rays, cases or repetitions a test tries: all of them with RAYBOOK_THOROUGH in the environment, as the workflow "whole"
+/// has it, and a fifth in a test that somebody waits for.
+pub fn thorough(all: u32) -> u32 {
+    match std::env::var_os("RAYBOOK_THOROUGH") {
+        Some(_) => all,
+        None => all / 5,
+    }
+}
+
 /// Checks all, in parallel, and says what the first failed check says on the thread of the test, whose output is shown: what rayon's
 /// threads say is shown with the test that happened to start them.
 #[track_caller]

@@ -13,6 +13,7 @@ use raybook::render::{caustics::Caustics, cone::Cone, path::Path, sampler::Integ
 use raybook::scene::world::{Scene, Thing};
 use raybook::shape::{cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
 use raybook_common::statistics::Mean;
+use raybook_common::thorough;
 use std::f32::consts::PI;
 
 const WHITE: Lambert = Lambert { albedo: Rgb::WHITE };
@@ -79,7 +80,7 @@ fn the_mean_power_of_photons_is_the_flux_of_the_light() {
 
 /// The irradiance of a square of the plane y = 0, in W/m², by photons and by samples of the light.
 fn irradiances(light: &dyn Light, middle: Vec2, side: f32) -> [Mean; 2] {
-    let by_photons = Mean::sampled(41, 400_000, |rng| {
+    let by_photons = Mean::sampled(41, thorough(400_000), |rng| {
         let photon = light.emit(square(rng), square(rng)).expect("it shines");
         let t = -photon.ray.origin.y / photon.ray.direction.y;
         let at = photon.ray.at(t);
@@ -89,7 +90,7 @@ fn irradiances(light: &dyn Light, middle: Vec2, side: f32) -> [Mean; 2] {
         let power = if arrives { photon.power.r } else { 0.0 };
         power / (side * side)
     });
-    let by_samples = Mean::sampled(42, 40_000, |rng| {
+    let by_samples = Mean::sampled(42, thorough(40_000), |rng| {
         let place = middle + side * (square(rng) - 0.5);
         let sample = light.sample(vec3(place.x, 0.0, place.y), square(rng));
         // Light from below arrives too.

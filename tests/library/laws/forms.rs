@@ -8,12 +8,13 @@ use raybook::math::{dir3::Dir3, ray::Ray};
 use raybook::shape::instance::Instance;
 use raybook::shape::mesh::{Facet, Mesh};
 use raybook::shape::{Shape, cuboid::Cuboid, plane::Plane, sphere::Sphere, triangle::Triangle};
+use raybook_common::thorough;
 use std::sync::Arc;
 
 /// A number of cases, always the same ones.
 pub(crate) fn config(cases: u32) -> ProptestConfig {
     ProptestConfig {
-        cases,
+        cases: thorough(cases),
         failure_persistence: None,
         rng_seed: RngSeed::Fixed(6),
         ..ProptestConfig::default()

@@ -171,7 +171,8 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
         question.right()
     }
 
-    /// The right answer, of which a mistake is made. Where two mistakes are tried at once, it is that of the other one.
+    /// The right answer, of which a mistake is made, and to a question that is misread. Where two mistakes are tried at once, it is that of the
+    /// other one. Of an estimate it is the mean, which is sooner there than an estimate.
     fn right(&self) -> Self::Answer {
         upon::answer(self).unwrap_or_else(|| self.answer())
     }

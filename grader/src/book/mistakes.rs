@@ -21,8 +21,9 @@ struct Shown<'a> {
     why: String,
 }
 
-/// The gallery of an exercise's mistakes, below the sentence that each of them ends; their pictures are written into the folder `mistakes` of `pictures`. What this very program
-/// drew there before is not drawn again. The gallery's text is kept beside its pictures; mdBook does not copy a file `*.md` into the book.
+/// The gallery of an exercise's mistakes, below the sentence that each of them ends; their pictures are written into the folder `mistakes` of
+/// `pictures`. What this very program drew there before is not drawn again. The gallery's text is kept beside its pictures; mdBook does not
+/// copy a file `*.md` into the book.
 ///
 /// # Errors
 /// If a picture cannot be written.

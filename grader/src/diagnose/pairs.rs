@@ -4,7 +4,7 @@ use super::evidence::{Evidence, Scope, Score};
 use super::fit::{self, Answers};
 use super::found::Found;
 use super::misread::Misreading;
-use super::search::{called, misread};
+use super::search::misread;
 use super::slips::slipped;
 use super::{COMMON, MOST, TELLS};
 use crate::attempt::attempt;
@@ -421,7 +421,8 @@ fn misread_twice(
         let others = others.filter_map(|other| {
             let answer = |question: &[f64]| {
                 let read = other.read_or_not(asked.question, question);
-                called(asked, &reading.read_or_not(asked.question, &read))
+                let both = reading.read_or_not(asked.question, &read);
+                attempt(|| examiner.right(&both))
             };
             let names = [(&*other.name, &*other.hint), words];
             consider(names, GUESSED + reading.rank + other.rank, &answer)

@@ -296,9 +296,9 @@ pub fn golden(evidence: &Evidence<'_>) -> Answers {
 
 /// The right answer to an item's question, misread.
 pub fn misread(evidence: &Evidence<'_>, reading: &Misreading, item: usize) -> Option<Vec<f64>> {
-    let (asked, item) = (evidence.examiner.asked(), &evidence.items[item]);
-    match reading.read(asked.question, &item.question) {
-        Some(question) => called(asked, &question),
+    let (examiner, item) = (evidence.examiner, &evidence.items[item]);
+    match reading.read(examiner.asked().question, &item.question) {
+        Some(question) => attempt(|| examiner.right(&question)),
         None => Some(item.golden().to_vec()),
     }
 }

@@ -49,6 +49,10 @@ impl<E: Graded> Examiner for Examination<E> {
         to_numbers(&E::random(rng))
     }
 
+    fn right(&self, question: &[f64]) -> Vec<f64> {
+        to_numbers(&from_numbers::<E>(question).right())
+    }
+
     fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict {
         E::judge(
             &from_numbers(question),

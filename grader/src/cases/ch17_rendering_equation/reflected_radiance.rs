@@ -4,7 +4,7 @@ mod estimates;
 
 use super::colour;
 use crate::together::{Bounds, scattered};
-use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
+use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits, upon};
 use estimates::{
     both, brdf_by, built, by_own_density, clamped, clamped_light, cosine, crossed, estimated,
     from_below, half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte,
@@ -111,6 +111,10 @@ impl Graded for ReflectedRadiance {
 
     /// Estimates scatter: what a student's is, another estimate with the same mistake is only nearly.
     const ALIKE: f32 = 0.05;
+
+    fn right(&self) -> Rgb {
+        upon::answer(self).unwrap_or_else(|| estimated(self, |_, _| 1.0))
+    }
 
     fn random(rng: &mut Pcg) -> ReflectedRadiance {
         let normal = sample::direction(rng);

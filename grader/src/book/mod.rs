@@ -118,12 +118,7 @@ impl Book {
             }
             match directive::read(line).map_err(at)? {
                 Some(directive) => {
-                    let text = if directive.name.is_empty() {
-                        self.of_exercises(page, &directive, &links)
-                    } else {
-                        self.become_text(page, &directive, &links)
-                    };
-                    expanded.push_str(&text.map_err(at)?);
+                    expanded.push_str(&self.become_text(page, &directive, &links).map_err(at)?);
                 }
                 None if fenced => expanded.push_str(line),
                 None if page == citation::BIBLIOGRAPHY => {
@@ -136,25 +131,7 @@ impl Book {
         Ok(text::with_head(page, &expanded, source))
     }
 
-    /// What a directive without a name becomes: the same of one exercise after the other.
-    fn of_exercises(
-        &self,
-        page: &str,
-        directive: &Directive<'_>,
-        links: &Links,
-    ) -> Result<String, String> {
-        let exercises = directive.exercises(page)?.iter();
-        let parts: Result<Vec<_>, _> = exercises
-            .map(|asked| Directive {
-                name: asked.name,
-                ..*directive
-            })
-            .map(|of_one| self.become_text(page, &of_one, links))
-            .collect();
-        Ok(parts?.join("\n\n"))
-    }
-
-    /// What a directive becomes.
+    /// What a directive becomes; without a name, the same of one exercise after the other.
     fn become_text(
         &self,
         page: &str,
@@ -162,6 +139,17 @@ impl Book {
         links: &Links,
     ) -> Result<String, String> {
         let Directive { word, name, rest } = *directive;
+        if name.is_empty() {
+            let exercises = directive.exercises(page)?.iter();
+            let of_one = exercises.map(|asked| Directive {
+                name: asked.name,
+                ..*directive
+            });
+            let parts: Result<Vec<_>, _> = of_one
+                .map(|one| self.become_text(page, &one, links))
+                .collect();
+            return Ok(parts?.join("\n\n"));
+        }
         match word {
             "figure" => figure::expand(page, name, rest, &self.pictures),
             "example" => example::expand(exercise(name)?, rest),

@@ -86,6 +86,8 @@ struct Account {
     /// What a busy machine took of the time around answers that came too soon for a [`Clock`](crate::clock::Clock) to look. It is found out
     /// when the time seems to be used up.
     forgiven: Duration,
+    /// The limit that is used up, once one is: whatever a busy machine takes afterwards, no more is asked.
+    over: Option<Over>,
 }
 
 impl Account {
@@ -96,6 +98,7 @@ impl Account {
             used: NOTHING,
             waited_before: waited(),
             forgiven: Duration::ZERO,
+            over: None,
         }
     }
 
@@ -109,6 +112,30 @@ impl Account {
     /// The limit of time on a machine that takes `longer` times as long.
     fn longest(&self, longer: f64) -> Duration {
         self.limit.time.mul_f64(longer)
+    }
+
+    /// The limit that another `time` and `bytes` reach, if they reach one, or that was reached before.
+    fn over(&mut self, time: Duration, bytes: usize) -> Option<Over> {
+        if self.over.is_none() {
+            let mut reached = self.reached(time, bytes, known());
+            if matches!(reached, Some(Over::Time(..))) {
+                self.forgive(time);
+                reached = self.reached(time, bytes, slowness());
+            }
+            self.over = reached;
+        }
+        self.over
+    }
+
+    /// The same, now, with a limit of time that is `longer` times as long.
+    fn reached(&self, time: Duration, bytes: usize, longer: f64) -> Option<Over> {
+        if time >= self.time_left(longer) {
+            Some(Over::Time(self.whole, self.longest(longer)))
+        } else if self.used.bytes.saturating_add(bytes) > self.limit.bytes {
+            Some(Over::Bytes(self.whole, self.limit.bytes))
+        } else {
+            None
+        }
     }
 
     /// What is left of it.
@@ -147,32 +174,11 @@ impl Budget {
         }
     }
 
-    /// The limit that another `time` and `bytes` would reach, if they reach one.
+    /// The limit that another `time` and `bytes` reach, if they reach one, or that was reached before.
     pub fn over(&mut self, time: Duration, bytes: usize) -> Option<Over> {
-        let over = self.reached(time, bytes, known())?;
-        match over {
-            Over::Time(..) => {
-                self.accounts.iter_mut().for_each(|of| of.forgive(time));
-                self.reached(time, bytes, slowness())
-            }
-            Over::Bytes(..) => Some(over),
-        }
-    }
-
-    /// The same, with limits of time that are `longer` times as long.
-    fn reached(&self, time: Duration, bytes: usize, longer: f64) -> Option<Over> {
-        self.accounts.iter().find_map(|account| {
-            let Account {
-                whole, limit, used, ..
-            } = account;
-            if time >= account.time_left(longer) {
-                Some(Over::Time(*whole, account.longest(longer)))
-            } else if used.bytes.saturating_add(bytes) > limit.bytes {
-                Some(Over::Bytes(*whole, limit.bytes))
-            } else {
-                None
-            }
-        })
+        self.accounts
+            .iter_mut()
+            .find_map(|account| account.over(time, bytes))
     }
 
     /// How long a conversation may be at the most.

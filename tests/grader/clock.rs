@@ -92,12 +92,13 @@ fn a_busy_machine_takes_nothing_from_the_time_of_all_answers() {
         while start.elapsed() < 2 * longer {
             std::hint::spin_loop();
         }
-        [longer, far_longer].map(|time| budget.over(time, 0))
+        [longer, far_longer, Duration::ZERO].map(|time| budget.over(time, 0))
     };
     let over = |over: &Option<Over>| matches!(over, Some(Over::Time(Whole::Exercise, _)));
-    let [soon, late] = on_a_busy_machine(work);
+    let [soon, late, after] = on_a_busy_machine(work);
     assert_eq!(soon, None);
     assert!(over(&late), "a tenth of all time counts");
+    assert_eq!(after, late, "what is over stays over");
     let mut budget = Budget::new(&limits);
     thread::sleep(longer);
     assert!(over(&budget.over(longer, 0)), "who sleeps is blamed");

@@ -99,7 +99,12 @@ fn a_busy_machine_takes_nothing_from_the_time_of_all_answers() {
     assert_eq!(soon, None);
     assert!(over(&late), "a tenth of all time counts");
     assert_eq!(after, late, "what is over stays over");
-    let mut budget = Budget::new(&limits);
-    thread::sleep(longer);
-    assert!(over(&budget.over(longer, 0)), "who sleeps is blamed");
+    // Whom a busy machine wakes late is forgiven that, but not each time.
+    let sleep = || {
+        let mut budget = Budget::new(&limits);
+        thread::sleep(longer);
+        budget.over(longer, 0)
+    };
+    let blamed = (0..20).any(|_| over(&sleep()));
+    assert!(blamed, "who sleeps is blamed");
 }

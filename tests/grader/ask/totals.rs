@@ -37,14 +37,14 @@ fn answered(said: &[Said]) -> (usize, String) {
     (count, why.unwrap_or_default())
 }
 
-/// Whether a limit of 0.7 s is told, which is longer on a slow machine, and no more is answered than can be in it: each answer takes a
+/// Whether a limit of 2 s is told, which is longer on a slow machine, and no more is answered than can be in it: each answer takes a
 /// twentieth of a second, and a busy machine is forgiven nine tenths of the time.
 fn is_limited((count, why): &(usize, String), whole: &str) -> bool {
     let limit = why.split_once(&format!("{whole} together may take "));
     let limit = limit.and_then(|(_, rest)| rest.split_once(" s"));
     let seconds = limit.and_then(|(seconds, _)| seconds.parse::<f64>().ok());
     seconds.is_some_and(|seconds| {
-        seconds > 0.699 && *count > 0 && *count as f64 <= (200.0 * seconds).ceil()
+        seconds > 1.999 && *count > 0 && *count as f64 <= (200.0 * seconds).ceil()
     })
 }
 
@@ -52,7 +52,7 @@ fn is_limited((count, why): &(usize, String), whole: &str) -> bool {
 fn time_is_limited_for_an_exercise_and_for_a_check() {
     let script = "while read q; do sleep 0.05; echo \"= $q\"; done";
     let mut limits = PATIENT;
-    limits.exercise.time = Duration::from_millis(700);
+    limits.exercise.time = Duration::from_secs(2);
     let said = within(script, 400, limits);
     let told = answered(&said);
     assert!(is_limited(&told, "an exercise"), "{told:?}");
@@ -69,7 +69,7 @@ fn time_is_limited_for_an_exercise_and_for_a_check() {
     );
 
     limits.exercise.time = Duration::from_secs(60);
-    limits.check.time = Duration::from_millis(700);
+    limits.check.time = Duration::from_secs(2);
     let said = within(script, 400, limits);
     let told = answered(&said);
     assert!(is_limited(&told, "a check"), "{told:?}");

@@ -8,7 +8,8 @@ use rustix::time::{ClockId, clock_gettime};
 /// nor the filling of the caches costs much.
 const TURN: usize = 8192;
 
-/// One that is slower than Embree by more than this factor only runs a part of the turns, evenly chosen.
+/// One that is slower than Embree by more than this factor only runs a part of the turns, evenly chosen; and where one turn is still too
+/// long, in a part of the rounds.
 const PATIENCE: f64 = 8.0;
 
 /// What came of one racer, set and query.
@@ -18,7 +19,7 @@ pub(crate) struct Lap {
     pub racer: usize,
     /// What was asked.
     pub query: Query,
-    /// Its rays per second, divided by those of Embree in the same round.
+    /// Its rays per second, divided by those of Embree in the same round; of each round in which it ran.
     pub ratios: Ratios,
     /// Its rays per second, from the same median.
     pub speed: f64,
@@ -26,7 +27,7 @@ pub(crate) struct Lap {
     pub agree: f64,
 }
 
-/// A ratio of speeds for each round.
+/// A ratio of speeds for each round, of one or more.
 #[derive(Clone, Debug)]
 pub(crate) struct Ratios(Vec<f64>);
 
@@ -51,7 +52,7 @@ impl Ratios {
         [0.1, 0.9].map(|part| quantile(self.0.clone(), part))
     }
 
-    /// The ratios of this one's speed to another one's: both are ratios to the same speeds.
+    /// The ratios of this one's speed to another one's, in the rounds in which both ran: both are ratios to the same speeds.
     pub(crate) fn to(&self, other: &Self) -> Self {
         let both = self.0.iter().zip(&other.0);
         Self(both.map(|(ours, theirs)| ours / theirs).collect())
@@ -72,7 +73,7 @@ pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f
             let mut answers = Vec::new();
             let once = &turns[0][..turns[0].len().min(64)];
             if structure.run(query, once, &mut answers) {
-                runners.push(Runner::new(racer, query, turns.len()));
+                runners.push(Runner::new(racer, query, turns.len(), rounds));
             }
         }
     }
@@ -87,7 +88,7 @@ pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f
                 // Nobody always follows the same one.
                 let i = (i + turn + round) % runners.len();
                 let runner = &mut runners[i];
-                if !turn.is_multiple_of(runner.every) {
+                if !turn.is_multiple_of(runner.every) || round >= runner.rounds {
                     continue;
                 }
                 let start = seconds();
@@ -102,12 +103,14 @@ pub(crate) fn race(set: &Set, racers: &[Box<dyn Racer>], rounds: usize, scale: f
                 for runner in &mut runners {
                     let slowness = runner.times[0][0] / embree / PATIENCE;
                     runner.every = (slowness.ceil() as usize).clamp(1, turns.len());
+                    let too_long = slowness / turns.len() as f64;
+                    runner.rounds = (rounds as f64 / too_long).clamp(1.0, rounds as f64) as usize;
                 }
             }
         }
     }
     let embree = runners[0].clone();
-    let lap = |runner: &Runner| runner.lap(&embree, &turns, rounds);
+    let lap = |runner: &Runner| runner.lap(&embree, &turns);
     runners.iter().map(lap).collect()
 }
 
@@ -117,6 +120,8 @@ struct Runner {
     query: Query,
     /// It runs in one turn of this number.
     every: usize,
+    /// It runs in this number of rounds, the first ones.
+    rounds: usize,
     /// Seconds of processor time: of each turn, of each round.
     times: Vec<Vec<f64>>,
     same: usize,
@@ -124,11 +129,12 @@ struct Runner {
 }
 
 impl Runner {
-    fn new(racer: usize, query: Query, turns: usize) -> Self {
+    fn new(racer: usize, query: Query, turns: usize, rounds: usize) -> Self {
         Self {
             racer,
             query,
             every: 1,
+            rounds,
             times: vec![Vec::new(); turns],
             same: 0,
             asked: 0,
@@ -149,9 +155,9 @@ impl Runner {
             .count();
     }
 
-    fn lap(&self, embree: &Self, turns: &[&[Question]], rounds: usize) -> Lap {
+    fn lap(&self, embree: &Self, turns: &[&[Question]]) -> Lap {
         let (mut ratios, mut speeds) = (Vec::new(), Vec::new());
-        for round in 0..rounds {
+        for round in 0..self.rounds {
             let (mut ours, mut theirs, mut rays) = (0.0, 0.0, 0);
             for turn in (0..turns.len()).step_by(self.every) {
                 ours += self.times[turn][round];

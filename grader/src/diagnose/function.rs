@@ -113,6 +113,7 @@ functions! {
     13 Angle "returns the arc cosine of the answer", "Are you asked for the cosine or for the angle?": f64::acos;
     13 Angle "returns the arc sine of the answer", "Are you asked for the sine or for the angle?": f64::asin;
     13 Angle "returns sin where cos is due (or the other way round): √(1 − answer²)", "Which of sine and cosine is 1 at the angle 0?": |v| (1.0 - v * v).max(0.0).sqrt();
+    14 Angle "returns 1 − cos where sin is due (or 1 − sin where cos is): 1 − √(1 − answer²)", "How do the sine and the cosine of an angle depend on each other? Try 60°.": |v| 1.0 - (1.0 - v * v).max(0.0).sqrt();
     15 Angle "returns cos √(1 − answer²), as if the sine were the angle", "Of which number is the cosine taken: of an angle, or of its sine?": |v| (1.0 - v * v).max(0.0).sqrt().cos();
     15 Angle "returns sin √(1 − answer²), as if the cosine were the angle", "Of which number is the sine taken: of an angle, or of its cosine?": |v| (1.0 - v * v).max(0.0).sqrt().sin();
     13 Angle "measures the angle from the other axis: π/2 minus the answer", "From where is the angle measured: from the axis, or from the horizon?": |v| FRAC_PI_2 - v, back |v| FRAC_PI_2 - v;

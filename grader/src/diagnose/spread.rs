@@ -289,8 +289,12 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     if given < SOME && !stands_out {
         return None;
     }
+    // All together may have the mean of what none of them is: an estimate is about what a mistake makes of its question.
+    let is_rough = then.is_none() && evidence.is_rough();
+    let estimates = own(name).filter(|_| is_rough).map(gives);
     let unchanged = best.unchanged(evidence);
-    let is_alone = SELDOM * unchanged.len() < evidence.wrong
+    let is_alone = estimates.is_none_or(|share| share >= MOST)
+        && SELDOM * unchanged.len() < evidence.wrong
         && rivals.next().is_none()
         && left < SURE
         && (given >= MOST && then.is_none() || left < EXACT);

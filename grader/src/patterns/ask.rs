@@ -52,9 +52,14 @@ pub fn ask(
             });
         }
         // Half of the time that is left, because the pace may become slower; and no batch for the last bit of it.
-        let left = (wanted.patience * 3 / 4).saturating_sub(start.elapsed());
-        let pace = asked as f64 / start.elapsed().as_secs_f64();
+        let taken = start.elapsed();
+        let left = (wanted.patience * 3 / 4).saturating_sub(taken);
+        let pace = asked as f64 / taken.as_secs_f64();
         batch = affordable(&sets, 0.5 * pace * left.as_secs_f64());
+        // A program that starts slowly may be quick afterwards: as long as most of the time is left, one more is asked.
+        if taken < left / 4 {
+            batch = batch.max(1).min(sets.len());
+        }
     }
     Ok(Got::of(points, wrong, pattern.realisations(wanted), wanted))
 }

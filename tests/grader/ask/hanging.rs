@@ -42,9 +42,9 @@ fn who_only_hangs_takes_less_and_less_time() {
     // Four limits for each start besides, halved likewise.
     assert!(first >= 9 * limit, "{first:?}");
     let later = (0..11).map(|_| exercise([10; 5])).min();
-    // A busy machine makes some of them long, and not all.
+    // With all of the time for each start it would be twice as long as the first. A busy machine makes some of them long, and not all.
     assert!(
-        later.is_some_and(|later| later < first / 2),
+        later.is_some_and(|later| later < first),
         "{later:?} after {first:?}"
     );
 }

@@ -19,6 +19,8 @@ fn a_length_has_no_cosine_and_is_not_in_degrees() {
         ("returns the cosine", 2.0, "", false, false),
         ("returns the arc cosine", 2.5, "", true, false),
         ("returns the arc cosine", 0.5, "", true, true),
+        ("returns 1 − cos", 2.0, "m", true, false),
+        ("returns 1 − cos", 0.5, "", false, true),
         ("returns the square of", 2.0, "m", false, true),
     ] {
         let told = find(name).suits(&[value], unit, has_angles);

@@ -235,6 +235,18 @@ impl Graded for Fresnel {
             },
         },
         Mistake {
+            name: "takes 1 − cos θ₁ for sin θ₁",
+            hint: "sin² + cos² = 1: what are sine and cosine of 60° together?",
+            answer: |q| {
+                let sine = q.n1 / q.n2 * (1.0 - q.cos1);
+                if sine >= 1.0 {
+                    mean(1.0, 1.0)
+                } else {
+                    shares(q.n1, q.cos1, q.n2, (1.0 - sine * sine).sqrt())
+                }
+            },
+        },
+        Mistake {
             name: "squares half of the difference of both amplitudes for R",
             hint: "Unpolarised light is half of one kind and half of the other: are amplitudes added, or shares of the light?",
             answer: |q| by_amplitudes(q, |s, p| s - p),

@@ -499,6 +499,19 @@ impl Graded for ReflectedRadiance {
             },
         },
         Mistake {
+            name: "has a highlight on the far side too, in the BRDF",
+            hint: "The size of a negative cosine is positive: what if the light and the mirrored viewer are on different sides?",
+            answer: |q| {
+                integrated(q, |how| {
+                    how.brdf = |q, d| {
+                        let shine = d.dot(*mirrored(q)).abs().powf(q.exponent);
+                        let shine = (q.exponent + 2.0) / TAU * shine;
+                        q.diffuse * (1.0 / PI) + q.specular * shine
+                    };
+                })
+            },
+        },
+        Mistake {
             name: "takes the half vector's N·H for the highlight's cosine in the BRDF",
             hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
             answer: |q| {

@@ -215,6 +215,24 @@ impl Graded for RotatedGrid {
             },
         },
         Mistake {
+            name: "has one sign of the rotation's cosines wrong",
+            hint: "A rotation keeps as much of x in x as of y in y, with the same sign: are your rows and columns still at right angles?",
+            answer: |q| {
+                points(q, |how| {
+                    how.turn = mat2(vec2(2.0, 1.0), vec2(-1.0, -2.0)) / 5.0_f32.sqrt();
+                })
+            },
+        },
+        Mistake {
+            name: "has one sign of the rotation's cosines wrong (in a lattice turned clockwise)",
+            hint: "A rotation keeps as much of x in x as of y in y, with the same sign: are your rows and columns still at right angles?",
+            answer: |q| {
+                points(q, |how| {
+                    how.turn = mat2(vec2(2.0, -1.0), vec2(1.0, -2.0)) / 5.0_f32.sqrt();
+                })
+            },
+        },
+        Mistake {
             name: "has both signs of the rotation's sines wrong in the same way",
             hint: "A rotation moves x by y and y by x, with opposite signs: are your rows and columns still at right angles?",
             answer: |q| {

@@ -47,6 +47,7 @@ pub enum Slip {
     ShadowEndsTheLoop,
     ShadowIsBlack,
     BelowTheSurface,
+    ShadowRaysFromBelow,
     RefractedFromTheWrongSide,
     MirroredFromTheWrongSide,
     FromTheSideAwayFromTheViewer,

@@ -264,6 +264,11 @@ impl Graded for Trace {
             answer: |q| answer(q, Slip::BelowTheSurface),
         },
         Mistake {
+            name: "starts shadow rays, and no others, just below the surface that they leave, which is in their way itself",
+            hint: "What is the first thing that such a ray meets? Start it a little off the surface, on the side to which it leaves.",
+            answer: |q| answer(q, Slip::ShadowRaysFromBelow),
+        },
+        Mistake {
             name: "starts shadow rays and mirrored rays on the side of the surface away from the viewer",
             hint: "What is the first thing that such a ray meets? Start it a little off the surface, on the side to which it leaves.",
             answer: |q| answer(q, Slip::FromTheSideAwayFromTheViewer),

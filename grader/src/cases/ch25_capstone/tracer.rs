@@ -348,7 +348,8 @@ impl<'a> Tracer<'a> {
         if self.is(Slip::ShadowsFromBeyondTheLamp) {
             way = Interval::AHEAD;
         }
-        let ray = if self.is_on_the_wrong_side(at, view) {
+        let from_below = self.is_on_the_wrong_side(at, view) || self.is(Slip::ShadowRaysFromBelow);
+        let ray = if from_below {
             wrong_side(at, light.toward)
         } else {
             self.leave(at, light.toward)

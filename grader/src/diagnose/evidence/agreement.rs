@@ -22,12 +22,13 @@ pub struct Score {
     pub tells: f64,
     /// Whether the answers are estimates, which scatter.
     pub is_rough: bool,
-    /// Whether something leaves it in doubt: the answers are estimates, which scatter, and are few, or on the whole larger or smaller
-    /// than it says, as those of a mistake that is nearly the same; or other numbers may have been compared with the same outcome.
+    /// Whether something leaves it in doubt: its numbers are not the answers', though a judge who lets much pass takes them for these; or the
+    /// answers are estimates, which scatter, and are few, or on the whole larger or smaller than it says, as those of a mistake that is
+    /// nearly the same; or other numbers may have been compared with the same outcome.
     pub is_doubtful: bool,
 }
 
-/// What is left of answers that scatter, when what explains them is taken off: as shares of them.
+/// What is left of answers, when what explains them is taken off: as shares of them.
 #[derive(Default)]
 struct Rest {
     count: f64,
@@ -73,6 +74,13 @@ impl Rest {
         self.left > MOST * self.left_by_right
     }
 
+    /// Whether what explains the answers is farther from them than a mistake that is made leaves it. Estimates scatter beside it.
+    fn is_loose(&self, is_rough: bool) -> bool {
+        /// The share of the squares that is left of estimates, and of other answers.
+        const MOST: [f64; 2] = [0.05, 0.01];
+        self.left > MOST[usize::from(!is_rough)] * self.left_by_right
+    }
+
     /// Whether their mean is no chance, and something of the distance from the right answers.
     fn leans(&self) -> bool {
         /// Numbers that belong together, such as those of a colour, are no independent ones.
@@ -115,7 +123,7 @@ const CLOSE: f64 = 1e-5;
 const SAME: f64 = 1e-6;
 
 /// What is predicted to the last digits is at most this share as far from an answer as the right one is.
-const NEAR: f64 = 0.25;
+const NEAR: f64 = 0.02;
 
 /// Of a row's things, cut into stretches of the same length, the places of those with the least cost: in a tie nearest to the middle.
 pub fn stretches<C: Ord>(row: usize, count: usize, cost: impl Fn(usize) -> C) -> Vec<usize> {
@@ -382,8 +390,8 @@ impl Evidence<'_> {
         if score.is_rough && rest.is_as_far_as_right() {
             return None;
         }
-        score.is_doubtful =
-            score.is_rough && (score.explained < MANY || rest.leans() || rest.is_large());
+        score.is_doubtful = rest.is_loose(score.is_rough)
+            || score.is_rough && (score.explained < MANY || rest.leans() || rest.is_large());
         Some(score)
     }
 }

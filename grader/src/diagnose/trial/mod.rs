@@ -42,6 +42,9 @@ const VARIED: usize = 4;
 /// Wrong answers that a second mistake explains by chance.
 const BY_CHANCE: usize = 1;
 
+/// The share of all wrong answers that two mistakes explain together.
+const NEARLY_ALL: f64 = 0.95;
+
 /// Tries of moving a question's last digits.
 const BESIDE: usize = 4;
 
@@ -138,7 +141,9 @@ impl<'a> Trial<'a> {
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
             let score = evidence.score(1.0, answer);
-            let in_all = all.score(HALF, |k| (suspect.answer)(&all.items[k].question));
+            // Of many pairs, one or another explains half of all.
+            let share = if suspect.is_two() { NEARLY_ALL } else { HALF };
+            let in_all = all.score(share, |k| (suspect.answer)(&all.items[k].question));
             score.zip(in_all).is_some_and(|(score, in_all)| {
                 let is_sharp = score.sharp == score.explained && differ.len() >= VARIED;
                 let is_told = !suspect.is_guess || is_sharp;

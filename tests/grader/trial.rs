@@ -190,7 +190,7 @@ fn a_step_of_another_length_is_not_convicted() {
         let q = asked.read_question(&case.question).expect("a question");
         let [p, n, toward] = [0, 4, 7].map(|from| DVec3::from_slice(&q[from..]));
         let (error, distance) = (q[3], q[10]);
-        let origin = p + 0.1 * error * n.dot(toward).signum() * n;
+        let origin = p + 0.2 * error * n.dot(toward).signum() * n;
         let within = [0.0, distance - 3.0 * error];
         let answer = [&origin.to_array()[..], &toward.to_array(), &within].concat();
         judged(examiner, case, row::format(asked.answer.kind, &answer))

@@ -425,6 +425,26 @@ impl Graded for BoxClip {
             hint: "The ray is in the box where it is in all three slabs: which of the three exits counts?",
             answer: |q| clipped(q, |how| how.leave = |_, far, end| far.min(end)),
         },
+        Mistake {
+            name: "keeps the entry of the last axis only, also where the interval begins later",
+            hint: "The ray is in the box where it is in all three slabs: which of the three entries counts, and where does the interval begin?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.check = |_, part, slab| slab.min <= part.max.min(slab.max);
+                    how.enter = |_, near, _| near;
+                })
+            },
+        },
+        Mistake {
+            name: "keeps the exit of the last axis only, also where the interval ends earlier",
+            hint: "The ray is in the box where it is in all three slabs: which of the three exits counts, and where does the interval end?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.check = |_, part, slab| part.min.max(slab.min) <= slab.max;
+                    how.leave = |_, far, _| far;
+                })
+            },
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[Picture {

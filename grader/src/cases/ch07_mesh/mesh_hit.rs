@@ -124,12 +124,12 @@ impl Graded for MeshHit {
             name: "begins the interval at 0 again once something is hit",
             hint: "A hit ends the interval at its distance: what becomes of the interval's beginning?",
             answer: |q| {
-                let ahead = Self {
-                    within: Interval::new(0.0, q.within.max),
+                let all = Self {
+                    within: Interval::new(q.within.min.min(0.0), q.within.max),
                     ..q.clone()
                 };
                 let (mut within, mut nearest) = (q.within, None);
-                for hit in hits(&ahead) {
+                for hit in hits(&all) {
                     if within.contains(hit.t) {
                         within = Interval::new(0.0, hit.t);
                         nearest = Some(hit);

@@ -20,6 +20,9 @@ const ONE_AXIS_HINT: &str =
 /// What leads to an error that is a length, and no share of one.
 const RELATIVE_HINT: &str = "The error is in metres already: is a point that is far from the world's origin wrong by more than that?";
 
+/// What leads to a step that is at least as long as the error.
+const NEARER_HINT: &str = "The true surface may be as far from the point as the error says: can your ray still start below it?";
+
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
     let right = ShadowRay::right(q);
@@ -238,6 +241,21 @@ impl Graded for ShadowRay {
             },
         },
         Mistake {
+            name: "steps the error itself along the normal, as if it were not that of each coordinate",
+            hint: "Each coordinate may be off by the error: how far is that along a normal that is askew to all axes?",
+            answer: |q| relative(q, 0.5),
+        },
+        Mistake {
+            name: "steps half of the error off the surface",
+            hint: NEARER_HINT,
+            answer: |q| relative(q, 0.25),
+        },
+        Mistake {
+            name: "steps a tenth of the error off the surface",
+            hint: NEARER_HINT,
+            answer: |q| relative(q, 0.05),
+        },
+        Mistake {
             name: "lets the interval begin a metre behind the ray's origin",
             hint: "Which points of the ray does a negative distance name?",
             answer: |q| starting(q, ShadowRay::right(q).origin, -1.0),
@@ -397,6 +415,11 @@ impl Graded for ShadowRay {
             name: "ends the interval at nine tenths of the way",
             hint: "What hangs close below the lamp throws a shadow too: how much before the light must the ray end?",
             answer: |q| ending(q, 0.9 * q.distance),
+        },
+        Mistake {
+            name: "ends the interval a twentieth of the way before the light",
+            hint: "What hangs close below the lamp throws a shadow too: how much before the light must the ray end?",
+            answer: |q| ending(q, 0.95 * q.distance),
         },
         Mistake {
             name: "ends the interval a fixed millimetre before the light's distance from the point",

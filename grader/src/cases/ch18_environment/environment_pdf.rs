@@ -107,6 +107,11 @@ impl Graded for EnvironmentPdf {
             answer: |q| density(q, |how| how.weight = |q, _| q.of_one(2.0 * PI * PI)),
         },
         Mistake {
+            name: "takes 2π for the solid angle of the map, as that of half a sphere, and all rows as equally wide",
+            hint: "How many steradians has the whole sphere, and how wide is a row of texels near a pole?",
+            answer: |q| density(q, |how| how.weight = |q, _| q.of_one(2.0 * PI)),
+        },
+        Mistake {
             name: "exchanges rows and columns of the map",
             hint: "Which texel is the second of the list: the one to the right of the first, or the one below the first?",
             answer: |q| {

@@ -180,34 +180,6 @@ fn a_guess_that_is_one_of_many_stays_one() {
     assert!(after.is_none_or(|after| !after.certain));
 }
 
-/// A judge who lets a step be as long as anybody likes, within limits, lets one that is too short be any other that is.
-#[test]
-fn a_step_of_another_length_is_not_convicted() {
-    let examiner = cases::find("shadow_ray").expect("the exercise exists");
-    let cases = examiner.cases(&mut visible_rng("shadow_ray")).cases;
-    let asked = examiner.asked();
-    let after = tried(examiner, &cases, |case| {
-        let q = asked.read_question(&case.question).expect("a question");
-        let [p, n, toward] = [0, 4, 7].map(|from| DVec3::from_slice(&q[from..]));
-        let (error, distance) = (q[3], q[10]);
-        let origin = p + 0.2 * error * n.dot(toward).signum() * n;
-        let within = [0.0, distance - 3.0 * error];
-        let answer = [&origin.to_array()[..], &toward.to_array(), &within].concat();
-        judged(examiner, case, row::format(asked.answer.kind, &answer))
-    });
-    let after = after.expect("what there is to see");
-    let all = std::iter::once(&after).chain(&after.also);
-    let certain: Vec<_> = all
-        .filter(|one| one.certain)
-        .map(|one| &*one.name)
-        .collect();
-    assert_eq!(
-        certain,
-        ["does not step far enough off the surface"],
-        "{after:?}"
-    );
-}
-
 #[test]
 fn estimates_that_are_twice_too_large_on_average_only_are_not_convicted_of_it() {
     let examiner = cases::find("reflected_radiance").expect("the exercise exists");
@@ -216,7 +188,7 @@ fn estimates_that_are_twice_too_large_on_average_only_are_not_convicted_of_it() 
     let after = tried(examiner, &cases, |case| {
         let q = asked.read_question(&case.question).expect("a question");
         let is_more = q.iter().sum::<f64>().rem_euclid(1.0) < 0.5;
-        let times = if is_more { 2.3 } else { 1.7 };
+        let times = if is_more { 2.15 } else { 1.85 };
         let right = row::parse(asked.answer.kind, &case.answers[0], "right");
         let answer: Vec<_> = right
             .expect("a golden answer can be read")

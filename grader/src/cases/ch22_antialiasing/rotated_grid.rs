@@ -4,7 +4,8 @@ mod lattices;
 
 use self::lattices::{
     before_half_of_side, clockwise, half_of_side, inside_twice, is_inside, lattice, of_a_piece,
-    of_four, points, to_half_of_side, turned, within_half_of_diagonal, within_half_of_side,
+    of_four, one_cosine_wrong, points, to_half_of_side, turned, within_half_of_diagonal,
+    within_half_of_side,
 };
 use super::points::same_places;
 use crate::{Flaw, Graded, Mistake, Verdict, sample};
@@ -13,6 +14,9 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch22_antialiasing::RotatedGrid;
 use std::cmp::Ordering;
 use std::f32::consts::{FRAC_PI_3, FRAC_PI_4, FRAC_PI_6};
+
+/// What leads to equal signs of the rotation's cosines.
+const COSINES_HINT: &str = "A rotation keeps as much of x in x as of y in y, with the same sign: are your rows and columns still at right angles?";
 
 /// How far a point may be from its place; one as near to the square's edge may be there or not.
 const TOLERANCE: f32 = 1e-3;
@@ -216,21 +220,13 @@ impl Graded for RotatedGrid {
         },
         Mistake {
             name: "has one sign of the rotation's cosines wrong",
-            hint: "A rotation keeps as much of x in x as of y in y, with the same sign: are your rows and columns still at right angles?",
-            answer: |q| {
-                points(q, |how| {
-                    how.turn = mat2(vec2(2.0, 1.0), vec2(-1.0, -2.0)) / 5.0_f32.sqrt();
-                })
-            },
+            hint: COSINES_HINT,
+            answer: |q| points(q, one_cosine_wrong),
         },
         Mistake {
             name: "has one sign of the rotation's cosines wrong (in a lattice turned clockwise)",
-            hint: "A rotation keeps as much of x in x as of y in y, with the same sign: are your rows and columns still at right angles?",
-            answer: |q| {
-                points(q, |how| {
-                    how.turn = mat2(vec2(2.0, -1.0), vec2(1.0, -2.0)) / 5.0_f32.sqrt();
-                })
-            },
+            hint: COSINES_HINT,
+            answer: |q| clockwise(q, one_cosine_wrong),
         },
         Mistake {
             name: "has both signs of the rotation's sines wrong in the same way",

@@ -76,9 +76,9 @@ impl Rest {
 
     /// Whether what explains the answers is farther from them than a mistake that is made leaves it. Estimates scatter beside it.
     fn is_loose(&self, is_rough: bool) -> bool {
-        /// The share of the squares that is left of estimates, and of other answers.
-        const MOST: [f64; 2] = [0.05, 0.01];
-        self.left > MOST[usize::from(!is_rough)] * self.left_by_right
+        // The share of the squares.
+        let most = if is_rough { 0.05 } else { 0.01 };
+        self.left > most * self.left_by_right
     }
 
     /// Whether their mean is no chance, and something of the distance from the right answers.

@@ -77,6 +77,11 @@ pub(super) fn clockwise(q: &RotatedGrid, change: impl FnOnce(&mut How)) -> Vec<V
     })
 }
 
+/// One of the rotation's cosines has the wrong sign.
+pub(super) fn one_cosine_wrong(how: &mut How) {
+    how.turn = mat2(vec2(2.0, 1.0), vec2(-1.0, -2.0)) / 5.0_f32.sqrt();
+}
+
 /// ½ + spacing · f(i + offset.x, j + offset.y), all that may be in the square.
 pub(super) fn lattice(q: &RotatedGrid, f: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
     steps(q)

@@ -3,15 +3,34 @@
 //! Every function here returns what one thread would return, bit for bit, in the same order.
 
 #[cfg(feature = "threads")]
-pub(crate) use many::{fill, join, sort_by_cached_key, workers};
+pub(crate) use many::{fill, join, workers};
 #[cfg(not(feature = "threads"))]
-pub(crate) use one::{fill, join, sort_by_cached_key, workers};
+pub(crate) use one::{fill, join, workers};
 
 /// The list of f(0), f(1), …, f(n − 1).
 pub(crate) fn list<T: Send>(n: usize, f: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     let mut list = Vec::with_capacity(n);
     fill(&mut list, n, f);
     list
+}
+
+/// Sorts a list of at most 2³² by keys, each of which is computed once; what has equal keys keeps its order.
+pub(crate) fn sort_by_cached_key<T: Send + Sync>(list: &mut [T], key: impl Fn(&T) -> u64 + Sync) {
+    #[cfg(feature = "threads")]
+    use many::sort;
+    #[cfg(not(feature = "threads"))]
+    use one::sort;
+    let mut order = self::list(list.len(), |i| (key(&list[i]), i as u32));
+    sort(&mut order);
+    // Each place gets what belongs there by a swap, and what was there goes to the place of that.
+    for to in 0..list.len() {
+        let mut from = order[to].1 as usize;
+        while from < to {
+            from = order[from].1 as usize;
+        }
+        order[to].1 = from as u32;
+        list.swap(to, from);
+    }
 }
 
 #[cfg(feature = "threads")]
@@ -36,12 +55,10 @@ mod many {
         rayon::join(a, b)
     }
 
-    /// Sorts by keys, each of which is computed once; items with equal keys keep their order.
-    pub(crate) fn sort_by_cached_key<T: Send + Sync, K: Ord + Send + Sync>(
-        list: &mut [T],
-        key: impl Fn(&T) -> K + Sync,
-    ) {
-        list.par_sort_by_cached_key(key);
+    /// Sorts pairs of a key and a place: equal keys by their places. It stands apart from [`super::sort_by_cached_key`], which is compiled
+    /// anew for each use.
+    pub(super) fn sort(order: &mut [(u64, u32)]) {
+        order.par_sort_unstable();
     }
 
     /// Calls `work` on n threads at the same time, which share the work. A panic of a thread is passed on.
@@ -69,9 +86,9 @@ mod one {
         (a(), b())
     }
 
-    /// Sorts by keys, each of which is computed once; items with equal keys keep their order.
-    pub(crate) fn sort_by_cached_key<T, K: Ord>(list: &mut [T], key: impl Fn(&T) -> K) {
-        list.sort_by_cached_key(key);
+    /// Sorts pairs of a key and a place: equal keys by their places.
+    pub(super) fn sort(order: &mut [(u64, u32)]) {
+        order.sort_unstable();
     }
 
     /// Calls `work` once, on the current thread.

@@ -23,7 +23,7 @@ use std::process::ExitCode;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Focal length: from the focal point to the image plane, which is 24 mm high
-    #[arg(long, value_name = "5..500 mm", default_value_t = 18.0)]
+    #[arg(long, value_name = "5..500 mm", default_value = "18")]
     focal_length: f32,
     /// Field of view from bottom to top, instead of a focal length
     #[arg(long, value_name = "2..150 °", conflicts_with = "focal_length")]

@@ -33,7 +33,7 @@ enum Curve {
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Exposure of the main picture: one stop more doubles the brightness
-    #[arg(long, value_name = "-20..10 stops", default_value_t = -2.0)]
+    #[arg(long, value_name = "-20..10 stops", default_value = "-2")]
     exposure: f32,
     /// Tone curve: how radiance above white is displayed
     #[arg(long, value_enum, default_value = "clamp")]

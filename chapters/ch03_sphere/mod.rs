@@ -24,13 +24,13 @@ use std::process::ExitCode;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Radius of each sphere of the flower, as a share of its distance from the middle
-    #[arg(long, value_name = "0.02..0.8 ×", default_value_t = 0.27)]
+    #[arg(long, value_name = "0.02..0.8 ×", default_value = "0.27")]
     radius: f32,
     /// Distance of the eye from the flower, in multiples of 15 m
-    #[arg(long, value_name = "0.2..20 ×", default_value_t = 1.0)]
+    #[arg(long, value_name = "0.2..20 ×", default_value = "1")]
     distance: f32,
     /// Radius of the sphere in the telescope, in `cancellation`
-    #[arg(long, value_name = "0.001..100 m", default_value_t = 0.1)]
+    #[arg(long, value_name = "0.001..100 m", default_value = "0.1")]
     sphere: f32,
 }
 

@@ -24,10 +24,10 @@ type Paint<'a> = &'a (dyn Fn(&Surface, f32) -> Rgb + Sync);
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Angle of the floor's normal from straight up, to the right
-    #[arg(long, value_name = "-60..60 °", default_value_t = 0.0)]
+    #[arg(long, value_name = "-60..60 °", default_value = "0")]
     tilt: f32,
     /// Offset of the floor along its normal
-    #[arg(long, value_name = "-3..1.5 m", default_value_t = 0.0)]
+    #[arg(long, value_name = "-3..1.5 m", default_value = "0")]
     offset: f32,
 }
 

@@ -22,10 +22,10 @@ use std::process::ExitCode;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Width of each box; they stand 1 m from each other
-    #[arg(long, value_name = "0.05..1 m", default_value_t = 0.86)]
+    #[arg(long, value_name = "0.05..1 m", default_value = "0.86")]
     side: f32,
     /// Angle by which the viewer walks around the boxes
-    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    #[arg(long, value_name = "-180..180 °", default_value = "0")]
     turn: f32,
 }
 

@@ -45,7 +45,7 @@ pub struct Knobs {
     #[arg(long, value_enum, default_value = "coordinates")]
     look: Shown,
     /// Angle by which the viewer walks around the solids
-    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    #[arg(long, value_name = "-180..180 °", default_value = "0")]
     turn: f32,
 }
 

@@ -31,7 +31,7 @@ pub struct Knobs {
     own: MeshKnob,
     /// Cells along each side of the teapot's 32 patches; twice as many cells make four times as many triangles, and take four
     /// times as long
-    #[arg(long, value_name = "1..24 cells", default_value_t = 5)]
+    #[arg(long, value_name = "1..24 cells", default_value = "5")]
     cells: usize,
 }
 

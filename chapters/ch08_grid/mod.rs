@@ -33,7 +33,7 @@ pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
     /// Density λ of the grid: cells per triangle, in `heat`
-    #[arg(long, value_name = "0.001..300 cells", default_value_t = 5.0)]
+    #[arg(long, value_name = "0.001..300 cells", default_value = "5")]
     density: f32,
 }
 

@@ -30,7 +30,7 @@ pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
     /// Density λ of the coarse grid: coarse cells per triangle, in `heat`
-    #[arg(long, value_name = "0.001..10 cells", default_value_t = 1.0)]
+    #[arg(long, value_name = "0.001..10 cells", default_value = "1")]
     density: f32,
 }
 

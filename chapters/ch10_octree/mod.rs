@@ -34,10 +34,10 @@ pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
     /// Depth of the tree of the blocks: the maximum number of cuts from the root to a block
-    #[arg(long, value_name = "3..7 cuts", default_value_t = 7)]
+    #[arg(long, value_name = "3..7 cuts", default_value = "7")]
     depth: u32,
     /// Cost of opening a node, in triangle tests: the higher the cost, the larger the leaves, in `heat`
-    #[arg(long, value_name = "0..100 tests", default_value_t = 2.0)]
+    #[arg(long, value_name = "0..100 tests", default_value = "2")]
     opening: f32,
 }
 

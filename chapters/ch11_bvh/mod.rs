@@ -47,7 +47,7 @@ pub struct Knobs {
     #[arg(long, value_enum, default_value = "binned")]
     method: Builder,
     /// Maximum number of triangles in a leaf; the heuristic makes smaller leaves where these cost less, in `heat`
-    #[arg(long, value_name = "1..64 triangles", default_value_t = 8)]
+    #[arg(long, value_name = "1..64 triangles", default_value = "8")]
     leaf: u32,
 }
 

@@ -26,16 +26,16 @@ use std::process::ExitCode;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Exponent α of Phong's highlight; the middle row has the exponents α/4, α, 4α and 16α
-    #[arg(long, value_name = "1..1024", default_value_t = 16.0)]
+    #[arg(long, value_name = "1..1024", default_value = "16")]
     exponent: f32,
     /// Angle between light and normal, in `lobes`
-    #[arg(long, value_name = "0..89 °", default_value_t = 40.0)]
+    #[arg(long, value_name = "0..89 °", default_value = "40")]
     incidence: f32,
     /// Angle by which the lights turn around the balls, to the right
-    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    #[arg(long, value_name = "-180..180 °", default_value = "0")]
     turn: f32,
     /// Height of the point light over the tiles, in `floors`
-    #[arg(long, value_name = "0.2..5 m", default_value_t = 1.3)]
+    #[arg(long, value_name = "0.2..5 m", default_value = "1.3")]
     lamp: f32,
 }
 

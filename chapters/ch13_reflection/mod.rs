@@ -29,7 +29,7 @@ const PIXEL: Vec2 = vec2(0.432, 0.76);
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Maximum depth: number of surfaces that are followed in a row
-    #[arg(long, value_name = "1..64 surfaces", default_value_t = 8)]
+    #[arg(long, value_name = "1..64 surfaces", default_value = "8")]
     depth: u32,
 }
 

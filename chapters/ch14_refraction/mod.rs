@@ -31,19 +31,19 @@ type View = (Vec3, Vec3, f32);
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Index of refraction of the glass; diamond has 2.42
-    #[arg(long, value_name = "1..3", default_value_t = 1.5)]
+    #[arg(long, value_name = "1..3", default_value = "1.5")]
     index: f32,
     /// Index of refraction of the liquid in the tank; water has 1.333, and some oils have that of glass
-    #[arg(long, value_name = "1..3", default_value_t = 1.333)]
+    #[arg(long, value_name = "1..3", default_value = "1.333")]
     liquid: f32,
     /// Absorption of the coloured glass, as a multiple of the default
-    #[arg(long, value_name = "0..20 ×", default_value_t = 1.0)]
+    #[arg(long, value_name = "0..20 ×", default_value = "1")]
     absorption: f32,
     /// Maximum depth: number of surfaces that are followed in a row
-    #[arg(long, value_name = "1..64 surfaces", default_value_t = 12)]
+    #[arg(long, value_name = "1..64 surfaces", default_value = "12")]
     depth: u32,
     /// Angle at the top of the prisms, in `prism`
-    #[arg(long, value_name = "20..65 °", default_value_t = 60.0)]
+    #[arg(long, value_name = "20..65 °", default_value = "60")]
     apex: f32,
 }
 

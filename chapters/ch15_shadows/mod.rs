@@ -35,10 +35,10 @@ const CLOSE_UP: [Vec3; 2] = [vec3(0.3, 3.1, 7.4), vec3(1.3, 0.4, 1.3)];
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Distance from the surface at which the shadow rays of the third tile start, in `wrong`
-    #[arg(long, value_name = "0..5 m", default_value_t = 1.0)]
+    #[arg(long, value_name = "0..5 m", default_value = "1")]
     offset: f32,
     /// Cells along the side of each patch of the coarse teapot, in `terminator`
-    #[arg(long, value_name = "1..16 cells", default_value_t = 4)]
+    #[arg(long, value_name = "1..16 cells", default_value = "4")]
     cells: usize,
 }
 

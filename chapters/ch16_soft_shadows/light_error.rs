@@ -3,6 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::chart::{Chart, Corner};
 use crate::kit::figure::{Canvas, Figure, figure};
+use crate::kit::of_each::of_each;
 use crate::kit::palette::{BLUE, FAINT, VERMILION};
 use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2, vec3};
@@ -18,7 +19,6 @@ use raybook::math::pcg::Pcg;
 use raybook::math::ray::Ray;
 use raybook::shape::Shape;
 use raybook::shape::sphere::Sphere;
-use rayon::prelude::*;
 
 /// Number of estimates from which each error is measured.
 pub(super) const REPEATS: u32 = 300;
@@ -77,8 +77,9 @@ impl Setting {
         let n = 1000;
         let place = |i: u32| (vec2((i % n) as f32, (i / n) as f32) + 0.5) / n as f32;
         let arrives = |i| self.arrives(LightSampling::BySolidAngle, place(i));
-        let all: Vec<f64> = (0..n * n).into_par_iter().map(arrives).collect();
-        all.iter().sum::<f64>() / f64::from(n * n)
+        let row = |i| -> Vec<f64> { (0..n).map(|j| arrives(i * n + j)).collect() };
+        let rows = of_each(n as usize, |i| row(i as u32));
+        rows.iter().flatten().sum::<f64>() / f64::from(n * n)
     }
 
     /// The root of the mean square error of an estimate by `samples` samples, relative to the exact value.
@@ -90,9 +91,9 @@ impl Setting {
             let sum: f64 = points.iter().map(|&u| self.arrives(choose, u)).sum();
             (sum / f64::from(samples) / exact - 1.0).powi(2)
         };
-        let squares = points.par_chunks(samples as usize).map(square);
+        let sets: Vec<_> = points.chunks(samples as usize).collect();
         // A sum in another order would be rounded otherwise.
-        let squares: Vec<f64> = squares.collect();
+        let squares = of_each(sets.len(), |i| square(sets[i]));
         (squares.iter().sum::<f64>() / f64::from(REPEATS)).sqrt()
     }
 }

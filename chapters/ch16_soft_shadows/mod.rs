@@ -38,10 +38,10 @@ const fn with_samples(samples: u32) -> Whitted {
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Side of the square lamp; the light that it sends straight down does not depend on its size
-    #[arg(long, value_name = "0.05..4 m", default_value_t = 1.4)]
+    #[arg(long, value_name = "0.05..4 m", default_value = "1.4")]
     lamp: f32,
     /// Shadow rays to the lamp for each sample of a pixel
-    #[arg(long, value_name = "1..256 rays", default_value_t = 1)]
+    #[arg(long, value_name = "1..256 rays", default_value = "1")]
     rays: u32,
 }
 

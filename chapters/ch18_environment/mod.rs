@@ -41,7 +41,7 @@ pub struct Knobs {
     #[arg(long, value_enum, default_value = "latlong", requires = "environment")]
     layout: Layouts,
     /// Roughness α of the metals in the lowest row, in `metals`
-    #[arg(long, value_name = "0.01..1", default_value_t = 0.45)]
+    #[arg(long, value_name = "0.01..1", default_value = "0.45")]
     roughness: f32,
 }
 

@@ -44,16 +44,16 @@ const TELLS: f32 = 5.0;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// F-number: the focal length of 50 mm divided by the diameter of the aperture
-    #[arg(long, value_name = "0.7..128", default_value_t = 1.4)]
+    #[arg(long, value_name = "0.7..128", default_value = "1.4")]
     f_number: f32,
     /// Diameter of the aperture, instead of an f-number
     #[arg(long, value_name = "0.4..70 mm", conflicts_with = "f_number")]
     aperture: Option<f32>,
     /// Distance in focus; the default is the distance of the red teapot
-    #[arg(long, value_name = "0.2..100 m", default_value_t = 1.01)]
+    #[arg(long, value_name = "0.2..100 m", default_value = "1.01")]
     focus: f32,
     /// Number of aperture blades: the hole that they leave is a polygon with this number of sides
-    #[arg(long, value_name = "3..32 blades", default_value_t = 6)]
+    #[arg(long, value_name = "3..32 blades", default_value = "6")]
     blades: u32,
 }
 

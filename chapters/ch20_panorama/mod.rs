@@ -43,7 +43,7 @@ pub struct Knobs {
     #[arg(
         long,
         value_name = "1..360 °",
-        default_value_t = 180.0,
+        default_value = "180",
         requires = "projection"
     )]
     view: f32,

@@ -140,7 +140,7 @@ fn line(canvas: &Canvas, pixel: Pixel, eye: Vec3, [a, b]: [Vec3; 2], colour: RGB
 fn on_canvas(
     map: &Image,
     space: usize,
-    draw: impl FnOnce(&Canvas, Pixel) -> Drawn,
+    draw: impl Fn(&Canvas, Pixel) -> Drawn,
 ) -> Result<Image, Box<dyn Error>> {
     let (width, height) = (space + MAP.0 + RIM, RIM + MAP.1 + space);
     let corner = vec2(space as f32, RIM as f32);

@@ -35,13 +35,13 @@ use std::process::ExitCode;
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Distance of the observer from the hole, in radii of its horizon
-    #[arg(long, value_name = "13..200 radii", default_value_t = 17.0)]
+    #[arg(long, value_name = "13..200 radii", default_value = "17")]
     distance: f32,
     /// Angle by which the view is spun around its middle
-    #[arg(long, value_name = "-180..180 °", default_value_t = 0.0)]
+    #[arg(long, value_name = "-180..180 °", default_value = "0")]
     spin: f32,
     /// Temperature of the disc where it is hottest
-    #[arg(long, value_name = "1000..40000 K", default_value_t = 5500.0)]
+    #[arg(long, value_name = "1000..40000 K", default_value = "5500")]
     temperature: f32,
     /// Put the hole before this latitude–longitude map (.exr, .hdr or .png) instead of the stars
     #[arg(long, value_name = "FILE", visible_alias = "map")]

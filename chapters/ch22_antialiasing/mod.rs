@@ -68,7 +68,7 @@ pub struct Knobs {
     #[arg(long, value_enum, default_value = "box")]
     filter: By,
     /// Points of each pattern, in `patterns`
-    #[arg(long, value_name = "1..4096 points", default_value_t = 64)]
+    #[arg(long, value_name = "1..4096 points", default_value = "64")]
     count: usize,
 }
 

@@ -36,13 +36,13 @@ const DIRECT: Whitted = Whitted {
 #[derive(Args, Clone, Debug)]
 pub struct Knobs {
     /// Rays through each pixel before the program looks at their differences
-    #[arg(long, value_name = "2..64 rays", default_value_t = 4)]
+    #[arg(long, value_name = "2..64 rays", default_value = "4")]
     first: usize,
     /// Threshold for the error of a pixel's mean: above the threshold, more rays follow, in `spent`
-    #[arg(long, value_name = "0.0005..1", default_value_t = 0.01)]
+    #[arg(long, value_name = "0.0005..1", default_value = "0.01")]
     threshold: f32,
     /// Budget: average number of rays per pixel, for the picture by a budget, in `spent`
-    #[arg(long, value_name = "2..256 rays", default_value_t = 12)]
+    #[arg(long, value_name = "2..256 rays", default_value = "12")]
     budget: usize,
 }
 

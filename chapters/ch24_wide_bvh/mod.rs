@@ -33,10 +33,10 @@ pub struct Knobs {
     #[command(flatten)]
     own: MeshKnob,
     /// Pieces of confetti; each piece is a triangle
-    #[arg(long, value_name = "100..2000000 pieces", default_value_t = 120_000)]
+    #[arg(long, value_name = "100..2000000 pieces", default_value = "120000")]
     pieces: u32,
     /// Rays towards the sky from each point that is seen
-    #[arg(long, value_name = "1..256 rays", default_value_t = 1)]
+    #[arg(long, value_name = "1..256 rays", default_value = "1")]
     sky_rays: u16,
 }
 

@@ -2,9 +2,7 @@
 
 use crate::kit::{palette::INK, paper::Paper, stage::Drawn};
 use plotters::coord::Shift;
-use plotters::prelude::{
-    DrawingArea, DrawingBackend, IntoDrawingArea, IntoFont, RGBColor, Text, TextStyle, WHITE,
-};
+use plotters::prelude::{DrawingArea, IntoDrawingArea, IntoFont, RGBColor, Text, TextStyle, WHITE};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use raybook::image::{Image, rgb::Rgb, tone};
 use std::error::Error;
@@ -37,8 +35,8 @@ pub const SCALE: u32 = 2;
 ///
 /// # Errors
 /// What `draw` or plotters reports.
-pub fn figure(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
-    let Diagram { pixels, svg } = canvas(width, height, draw)?;
+pub fn figure(width: u32, height: u32, mut draw: impl FnMut(&Canvas) -> Drawn) -> Figure {
+    let Diagram { pixels, svg } = canvas(width, height, &mut draw)?;
     let pixels = smoothed(&pixels);
     Ok(Diagram { pixels, svg })
 }
@@ -56,7 +54,7 @@ pub fn smoothed(canvas: &Image) -> Image {
 ///
 /// # Errors
 /// What `draw` or plotters reports.
-pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> Figure {
+pub fn canvas(width: u32, height: u32, draw: &mut dyn FnMut(&Canvas) -> Drawn) -> Figure {
     register_font();
     let (wide, high) = (SCALE * width, SCALE * height);
     let (mut bytes, mut svg) = (vec![0; (wide * high * 3) as usize], String::new());
@@ -69,8 +67,7 @@ pub fn canvas(width: u32, height: u32, draw: impl FnOnce(&Canvas) -> Drawn) -> F
     Ok(diagram((width, height), &bytes, &svg))
 }
 
-/// The pixels of a canvas as a picture, and its vectors at the size of the figure. It stands apart from [`canvas`], which is compiled
-/// anew for each figure.
+/// The pixels of a canvas as a picture, and its vectors at the size of the figure.
 fn diagram((width, height): (u32, u32), bytes: &[u8], svg: &str) -> Diagram {
     let (wide, high) = ((SCALE * width) as usize, (SCALE * height) as usize);
     let linear: Vec<f32> = (0..=255_u8)
@@ -134,15 +131,7 @@ pub fn text_width(words: &str, size: f64) -> Result<f64, Box<dyn Error>> {
 ///
 /// # Errors
 /// If plotters cannot draw.
-pub fn write<B: DrawingBackend>(
-    canvas: &DrawingArea<B, Shift>,
-    words: &str,
-    at: (i32, i32),
-    style: Style,
-) -> Drawn
-where
-    B::ErrorType: 'static,
-{
+pub fn write(canvas: &Canvas, words: &str, at: (i32, i32), style: Style) -> Drawn {
     canvas.draw(&Text::new(words, at, style))?;
     Ok(())
 }

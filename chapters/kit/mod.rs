@@ -11,6 +11,7 @@ pub mod gallery;
 pub mod html;
 pub mod knobs;
 pub mod numbers;
+pub mod of_each;
 pub mod options;
 pub mod palette;
 pub mod paper;

@@ -21,7 +21,7 @@ pub struct Options {
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1_000_000))]
     pub samples: Option<u32>,
     /// Seed of all random numbers: the same seed draws the same pictures, except the few that show measured times
-    #[arg(long, default_value_t = 1, value_parser = seed, allow_negative_numbers = true)]
+    #[arg(long, default_value = "1", value_parser = seed, allow_negative_numbers = true)]
     pub seed: u64,
     /// Number of threads that draw; the pictures do not depend on this number [default: one per core]
     #[arg(long, value_parser = clap::value_parser!(u32).range(1..=1024))]

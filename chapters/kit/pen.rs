@@ -1,10 +1,8 @@
 //! Pens: a colour, a dash and a mark, so that curves can be told apart in colour, in grey and by colour-blind people.
 
+use crate::kit::figure::Canvas;
 use crate::kit::stage::Drawn;
-use plotters::coord::Shift;
-use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, PathElement, Polygon, RGBColor, WHITE,
-};
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, WHITE};
 use plotters::style::ShapeStyle;
 
 /// What stands at the points of a curve.
@@ -51,14 +49,7 @@ impl Pen {
     ///
     /// # Errors
     /// What the backend reports.
-    pub fn line<B: DrawingBackend>(
-        &self,
-        canvas: &DrawingArea<B, Shift>,
-        through: &[(i32, i32)],
-    ) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    pub fn line(&self, canvas: &Canvas, through: &[(i32, i32)]) -> Drawn {
         if self.dash.is_empty() {
             canvas.draw(&PathElement::new(through.to_vec(), self.stroke))?;
             return Ok(());
@@ -73,10 +64,7 @@ impl Pen {
     ///
     /// # Errors
     /// What the backend reports.
-    pub fn mark<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, at: (i32, i32)) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    pub fn mark(&self, canvas: &Canvas, at: (i32, i32)) -> Drawn {
         let colour = self.stroke.color;
         let rim = colour.stroke_width(4);
         let inside = if self.filled {

@@ -2,7 +2,7 @@
 
 use crate::kit::axis::Axis;
 use crate::kit::chart::Chart;
-use crate::kit::figure::CENTRE;
+use crate::kit::figure::{CENTRE, Canvas};
 use crate::kit::palette::{FAINT, INK};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
@@ -10,8 +10,7 @@ use crate::lab::errors::{Error, slope};
 use crate::lab::legend;
 use crate::lab::legend::{number, power_of_ten};
 use crate::lab::plot::Plot;
-use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, RGBColor};
+use plotters::prelude::{Color, RGBColor};
 use std::fmt::Write;
 
 /// Slopes that are drawn as guides, with what they mean.
@@ -97,10 +96,7 @@ impl Plot for ErrorPlot {
         (670, 490)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         let [left, right, bottom, top] = self.range();
         // To the right of the last number of samples, a bar shows the middle 80 % of each curve that was measured more than once.
         let beyond = |i: usize| right * 1.35_f64.powi(i as i32 + 1);
@@ -187,10 +183,7 @@ impl Plot for OneByOne<'_> {
         (PANELS * PANEL.0, rows * PANEL.1)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         let [left, right, bottom, top] = self.0.range();
         let places = |curve: &Curve| -> Vec<_> {
             let inside = curve.errors.iter().filter(|e| e.median >= bottom);

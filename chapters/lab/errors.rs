@@ -1,8 +1,8 @@
 //! The error of the mean over a pattern's points, and how fast it falls.
 
+use crate::kit::of_each::of_each;
 use crate::lab::integrands::Integrand;
 use crate::lab::subject::Subject;
-use rayon::prelude::*;
 
 /// Number of functions of a class that each realisation of a pattern sees.
 pub const EACH: usize = 8;
@@ -64,7 +64,7 @@ pub fn errors(subject: &Subject, n: usize, classes: &[Vec<Integrand>], draws: us
         };
         classes.iter().map(of_class).collect::<Vec<_>>()
     };
-    let all: Vec<_> = (0..draws).into_par_iter().map(of_one).collect();
+    let all = of_each(draws, of_one);
     let class = |i: usize| all.iter().flat_map(|one| one[i].iter().copied()).collect();
     (0..classes.len()).map(|i| Error::of(n, class(i))).collect()
 }

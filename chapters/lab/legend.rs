@@ -1,10 +1,8 @@
 //! A legend beside a figure: a sample of every pen, its name, and columns of numbers.
 
-use crate::kit::figure::{LEFT, RIGHT, text, write};
+use crate::kit::figure::{Canvas, LEFT, RIGHT, text, write};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
-use plotters::coord::Shift;
-use plotters::prelude::{DrawingArea, DrawingBackend};
 
 /// Height of a line, and of its text, in pixels of the canvas.
 pub const LINE: i32 = 44;
@@ -21,16 +19,13 @@ pub type Entry = (Pen, String, Vec<String>);
 ///
 /// # Errors
 /// What the backend reports.
-pub fn draw<B: DrawingBackend>(
-    canvas: &DrawingArea<B, Shift>,
+pub fn draw(
+    canvas: &Canvas,
     (left, top): (i32, i32),
     headings: &[&str],
     columns: &[i32],
     entries: &[Entry],
-) -> Drawn
-where
-    B::ErrorType: 'static,
-{
+) -> Drawn {
     for (heading, column) in headings.iter().zip(columns) {
         write(
             canvas,

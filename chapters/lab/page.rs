@@ -75,7 +75,7 @@ impl Page {
     ///
     /// # Errors
     /// If it cannot be drawn or written.
-    pub fn plot(&mut self, name: &str, alt: &str, how: &str, plot: &impl Plot) -> Drawn {
+    pub fn plot(&mut self, name: &str, alt: &str, how: &str, plot: &dyn Plot) -> Drawn {
         let Diagram { pixels, svg } = plot.large()?;
         self.save(name, pixels)?;
         self.write(name, "svg", svg.as_bytes())?;

@@ -1,8 +1,8 @@
 //! The pair correlation function: how often two points are at a given distance, compared with random points.
 
+use crate::kit::of_each::of_each;
 use crate::lab::subject::Subject;
 use raybook::inside::Space;
-use rayon::prelude::*;
 use std::f64::consts::PI;
 
 /// Bins for each mean distance 1/√n.
@@ -24,25 +24,21 @@ pub fn pair_correlation(subject: &Subject, n: usize, realisations: u64) -> Vec<(
     let bins = ((REACH * unit).min(0.5) / unit * BINS as f64) as usize;
     let width = unit / BINS as f64;
     let realisations = subject.realisations(n, realisations);
-    let counts = (0..realisations)
-        .into_par_iter()
-        .map(|number| {
-            let points = subject.points(n, number);
-            let mut counts = vec![0_u64; bins];
-            for (i, p) in points.iter().enumerate() {
-                for q in &points[..i] {
-                    let distance = Space::Torus.distance_squared(*p, *q).sqrt();
-                    if let Some(count) = counts.get_mut((distance / width) as usize) {
-                        *count += 1;
-                    }
+    let counted = of_each(realisations as usize, |number| {
+        let points = subject.points(n, number as u64);
+        let mut counts = vec![0_u64; bins];
+        for (i, p) in points.iter().enumerate() {
+            for q in &points[..i] {
+                let distance = Space::Torus.distance_squared(*p, *q).sqrt();
+                if let Some(count) = counts.get_mut((distance / width) as usize) {
+                    *count += 1;
                 }
             }
-            counts
-        })
-        .reduce(
-            || vec![0; bins],
-            |one, other| one.iter().zip(other).map(|(a, b)| a + b).collect(),
-        );
+        }
+        counts
+    });
+    let counts = (0..bins).map(|bin| counted.iter().map(|counts| counts[bin]).sum());
+    let counts: Vec<u64> = counts.collect();
     let pairs = 0.5 * (n as f64) * (n as f64 - 1.0) * realisations as f64;
     let of = |(i, count): (usize, &u64)| {
         let [near, far] = [i, i + 1].map(|edge| edge as f64 * width);

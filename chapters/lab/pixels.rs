@@ -1,8 +1,8 @@
 //! Pixel-to-pixel correlation: whether neighbouring pixels make the same error.
 
+use crate::kit::of_each::of_each;
 use crate::lab::integrands::Integrand;
 use crate::lab::subject::Subject;
-use rayon::prelude::*;
 
 /// ρ = Σ e·e' / Σ ½(e² + e'²), where e and e' are the errors of two neighbouring pixels that see the same function.
 ///
@@ -10,11 +10,10 @@ use rayon::prelude::*;
 /// correlated; they are noise, which the eye averages. Below 0: neighbours make opposite errors, as in dithering (Georgiev and
 /// Fajardo, *Blue-noise dithered sampling*, 2016). Realisations 2k and 2k + 1 stand for two neighbouring pixels.
 pub fn correlation(subject: &Subject, n: usize, functions: &[Integrand]) -> f64 {
-    let pair = |(k, function): (usize, &Integrand)| {
+    let errors = of_each(functions.len(), |k| {
         let first = 2 * k as u64;
-        [first, first + 1].map(|pixel| function.error(&subject.points(n, pixel)))
-    };
-    let errors: Vec<_> = functions.par_iter().enumerate().map(pair).collect();
+        [first, first + 1].map(|pixel| functions[k].error(&subject.points(n, pixel)))
+    });
     let (mut both, mut each) = (0.0, 0.0);
     for [e, other] in errors {
         both += e * other;

@@ -1,10 +1,8 @@
 //! A plot that can be drawn as pixels and as an SVG file, and its numbers as a table.
 
-use crate::kit::figure::{Diagram, Figure, canvas, smoothed};
+use crate::kit::figure::{Canvas, Diagram, Figure, canvas, smoothed};
 use crate::kit::stage::Drawn;
 use crate::lab::raster::Raster;
-use plotters::coord::Shift;
-use plotters::prelude::{DrawingArea, DrawingBackend};
 
 /// A figure of the lab, in every form in which it is written.
 pub trait Plot {
@@ -15,9 +13,7 @@ pub trait Plot {
     ///
     /// # Errors
     /// What the backend reports.
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static;
+    fn draw(&self, canvas: &Canvas) -> Drawn;
 
     /// The parts that are made of pixels; nothing is drawn over them.
     fn rasters(&self) -> Vec<Raster> {
@@ -43,7 +39,7 @@ pub trait Plot {
     /// What plotters reports, and if a picture has no pixels.
     fn large(&self) -> Figure {
         let (width, height) = self.size();
-        let drawn = canvas(width, height, |canvas| self.draw(canvas))?;
+        let drawn = canvas(width, height, &mut |canvas| self.draw(canvas))?;
         let Diagram { mut pixels, svg } = drawn;
         let mut pictures = String::new();
         for raster in self.rasters() {

@@ -1,15 +1,12 @@
 //! Patterns' points in the square, with the cells that some of them have.
 
-use crate::kit::figure::{CENTRE, text, write};
+use crate::kit::figure::{CENTRE, Canvas, text, write};
 use crate::kit::palette::{BLUE, FAINT, INK};
 use crate::kit::stage::Drawn;
 use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
 use glam::{Vec2, vec2};
-use plotters::coord::Shift;
-use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, PathElement, RGBColor, Rectangle,
-};
+use plotters::prelude::{Circle, Color, PathElement, RGBColor, Rectangle};
 use raybook::sample::pattern::{Pattern, multi_jittered, rows};
 use std::fmt::Write;
 
@@ -83,10 +80,7 @@ impl Plot for PointSets<'_> {
         (width as u32 / 2, height as u32 / 2)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         let radius = ((0.16 * f64::from(SIDE) / (self.n as f64).sqrt()) as i32).clamp(2, 12);
         for (i, subject) in (0..).zip(self.subjects) {
             let columns = self.columns as i32;

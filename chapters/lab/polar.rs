@@ -1,6 +1,7 @@
 //! The error of an edge, by the angle at which it passes through the pixel.
 
-use crate::kit::figure::{CENTRE as MIDDLE, LEFT, text, write};
+use crate::kit::figure::{CENTRE as MIDDLE, Canvas, LEFT, text, write};
+use crate::kit::of_each::of_each;
 use crate::kit::palette::{FAINT, INK};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
@@ -10,12 +11,7 @@ use crate::lab::legend::number;
 use crate::lab::pens::pens;
 use crate::lab::plot::Plot;
 use crate::lab::subject::Subject;
-use glam::Vec2;
-use plotters::coord::Shift;
-use plotters::prelude::{
-    Circle, Color, DrawingArea, DrawingBackend, PathElement, Rectangle, WHITE,
-};
-use rayon::prelude::*;
+use plotters::prelude::{Circle, Color, PathElement, Rectangle, WHITE};
 use std::f64::consts::PI;
 use std::fmt::Write;
 
@@ -90,16 +86,14 @@ impl Polar {
     pub fn measure(subjects: &[Subject], n: usize, realisations: u64) -> Self {
         let curve = |(subject, pen): (&Subject, Pen)| {
             let count = subject.realisations(n, realisations);
-            let drawn = (0..count).into_par_iter().map(|k| subject.points(n, k));
-            let mut drawn: Vec<Vec<Vec2>> = drawn.collect();
+            let mut drawn = of_each(count as usize, |k| subject.points(n, k as u64));
             drawn.dedup(); // all realisations of a grid are the same
             let angle = |i: usize| PI * i as f64 / ANGLES as f64;
-            let errors = (0..ANGLES).into_par_iter();
             Curve {
                 key: subject.key.clone(),
                 title: subject.title.clone(),
                 pen,
-                errors: errors.map(|i| edge::rms(&drawn, angle(i))).collect(),
+                errors: of_each(ANGLES, |i| edge::rms(&drawn, angle(i))),
             }
         };
         Self {
@@ -135,10 +129,7 @@ impl Polar {
     ///
     /// # Errors
     /// What the backend reports.
-    pub fn draw_on<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    pub fn draw_on(&self, canvas: &Canvas, dial: Dial) -> Drawn {
         self.grid(canvas, dial)?;
         for (number, curve) in self.curves.iter().enumerate() {
             let at = |k: usize| {
@@ -157,10 +148,7 @@ impl Polar {
         self.labels(canvas, dial)
     }
 
-    fn grid<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn grid(&self, canvas: &Canvas, dial: Dial) -> Drawn {
         let (step, rings) = self.rings();
         for ring in 1..=rings as i32 {
             let r = (dial.radius * f64::from(ring) / rings) as i32;
@@ -175,10 +163,7 @@ impl Polar {
     }
 
     /// The number of the outermost ring, where there are no curves, and small edges outside of it, as they pass through a pixel there.
-    fn labels<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, dial: Dial) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn labels(&self, canvas: &Canvas, dial: Dial) -> Drawn {
         let (step, rings) = self.rings();
         let (words, at) = (
             written(rings * step),
@@ -224,10 +209,7 @@ impl Plot for Polar {
         (670, 380_i32.max(below / 2) as u32)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         self.draw_on(canvas, DIAL)?;
         let samples = if self.n == 1 { "sample" } else { "samples" };
         let heading = format!("RMS error, {} {samples}", self.n);

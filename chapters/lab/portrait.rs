@@ -2,7 +2,7 @@
 
 use crate::kit::axis::Axis;
 use crate::kit::chart::Chart;
-use crate::kit::figure::{CENTRE, LEFT, RIGHT, text, write};
+use crate::kit::figure::{CENTRE, Canvas, LEFT, RIGHT, text, write};
 use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, VERMILION};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
@@ -12,8 +12,7 @@ use crate::lab::projection::{Onto, histogram};
 use crate::lab::raster::Raster;
 use crate::lab::spectrum::{Known, Spectrum};
 use crate::lab::subject::Subject;
-use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, PathElement, RGBColor};
+use plotters::prelude::{Color, PathElement, RGBColor};
 use raybook::image::Image;
 use raybook::image::rgb::Rgb;
 use std::fmt::Write;
@@ -201,10 +200,7 @@ impl Portrait {
     }
 
     /// The axes of the picture, and the colour bar's numbers.
-    fn frame<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn frame(&self, canvas: &Canvas) -> Drawn {
         let title = format!("{}: power of {} points", self.title, self.n);
         write(
             canvas,
@@ -267,10 +263,7 @@ impl Plot for Portrait {
         (1160, 600)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         self.frame(canvas)?;
         let panels = canvas.split_evenly((2, 3));
         let charts = [

@@ -2,6 +2,7 @@
 
 use crate::kit::axis::Axis;
 use crate::kit::chart::Chart;
+use crate::kit::figure::Canvas;
 use crate::kit::palette::INK;
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
@@ -11,8 +12,7 @@ use crate::lab::pens::pens;
 use crate::lab::plot::Plot;
 use crate::lab::prefixes::discrepancy;
 use crate::lab::subject::Subject;
-use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend};
+use plotters::prelude::Color;
 use std::fmt::Write;
 
 /// Width of the plot, in pixels of the canvas.
@@ -50,10 +50,7 @@ impl Plot for PrefixPlot {
         (670, 490)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         let all = || self.curves.iter().flat_map(|curve| &curve.3);
         let least = all().map(|p| p.1).fold(f64::INFINITY, f64::min).max(1e-6);
         let most = all().map(|p| p.1).fold(least, f64::max);

@@ -1,8 +1,8 @@
 //! Progressive patterns: how good the first k of n points are.
 
+use crate::kit::of_each::of_each;
 use crate::lab::discrepancy::l2_star_squared;
 use crate::lab::subject::Subject;
-use rayon::prelude::*;
 
 /// The numbers of points at which a pattern of n is cut: the powers of 2 and the middles between them, and n.
 pub fn cuts(n: usize) -> Vec<usize> {
@@ -20,14 +20,11 @@ pub fn cuts(n: usize) -> Vec<usize> {
 /// not: its first points are all at the top.
 pub fn discrepancy(subject: &Subject, n: usize, realisations: u64) -> Vec<(usize, f64)> {
     let realisations = subject.realisations(n, realisations);
-    let all: Vec<_> = (0..realisations)
-        .into_par_iter()
-        .map(|number| {
-            let points = subject.points(n, number);
-            let squared = |k: usize| l2_star_squared(&points[..k.min(points.len())]);
-            cuts(n).into_iter().map(squared).collect::<Vec<_>>()
-        })
-        .collect();
+    let all = of_each(realisations as usize, |number| {
+        let points = subject.points(n, number as u64);
+        let squared = |k: usize| l2_star_squared(&points[..k.min(points.len())]);
+        cuts(n).into_iter().map(squared).collect::<Vec<_>>()
+    });
     let mean = |i: usize| all.iter().map(|one| one[i]).sum::<f64>() / all.len().max(1) as f64;
     let root = |(i, k)| (k, mean(i).max(0.0).sqrt());
     cuts(n).into_iter().enumerate().map(root).collect()

@@ -1,6 +1,7 @@
 //! Contact sheets of patterns and filters at work.
 
 use crate::kit::figure::figure;
+use crate::kit::of_each::of_each;
 use crate::kit::palette::{BLUE, FAINT};
 use crate::kit::sheet::sheet;
 use crate::lab::subject::Subject;
@@ -15,7 +16,6 @@ use raybook::render::film::Film;
 use raybook::render::supersample::supersample;
 use raybook::sample::filter::Filter;
 use raybook::sample::pattern::Pattern;
-use rayon::prelude::*;
 use std::error::Error;
 
 /// The band of n bands, side by side, that a column of a picture of this width is in.
@@ -48,8 +48,7 @@ pub fn view(film: &Film, subject: &Subject, target: Target) -> Image {
 /// Several targets, all seen by the same realisations.
 pub fn views(film: &Film, subject: &Subject, targets: &[Target]) -> Vec<Image> {
     let pixels = film.width as f32;
-    let draw = |k| subject.points(film.samples, k);
-    let drawn: Vec<_> = (0..POOL).into_par_iter().map(draw).collect();
+    let drawn = of_each(POOL as usize, |k| subject.points(film.samples, k as u64));
     let view = |target: &Target| {
         film.render_pixels(|x, y, _| {
             let number = pcg::mix((y * film.width + x) as u64) % POOL;

@@ -1,9 +1,9 @@
 //! The power spectrum: which waves a pattern takes for other waves (aliases).
 
+use crate::kit::of_each::of_each;
 use crate::lab::errors::student_t;
 use crate::lab::subject::Subject;
 use glam::Vec2;
-use rayon::prelude::*;
 use std::f64::consts::TAU;
 
 /// Groups of realisations, from whose differences the confidence follows.
@@ -50,7 +50,7 @@ impl Spectrum {
             (size, sum)
         };
         // Summed in order: the same on any number of threads.
-        let batches: Vec<_> = (0..count).into_par_iter().map(batch).collect();
+        let batches = of_each(count as usize, |i| batch(i as u64));
         let mut total = vec![0.0; side * side];
         for (_, sum) in &batches {
             total

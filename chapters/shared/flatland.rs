@@ -65,7 +65,7 @@ const ZOOM: f32 = 54.0 * SCALE as f32;
 ///
 /// # Errors
 /// What plotters reports.
-pub fn plane(cells: impl FnOnce(&Plane) -> Drawn) -> Figure {
+pub fn plane(cells: impl Fn(&Plane) -> Drawn) -> Figure {
     let size = ((SIDE + 2.0) * ZOOM) as u32 / SCALE;
     figure(size, size, |canvas| {
         let plane = Plane(canvas);

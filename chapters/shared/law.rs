@@ -1,12 +1,12 @@
 //! What a search costs, by the number of shapes: counted, not timed. The plots are in `growth.rs` and `lines.rs`.
 
+use crate::kit::of_each::of_each;
 use glam::Vec3;
 use rand::RngExt;
 use raybook::accel::{Accel, Tests};
 use raybook::math::{dir3::Dir3, interval::Interval, pcg, ray::Ray};
 use raybook::scene::soup::soup;
 use raybook::shape::mesh::Facet;
-use rayon::prelude::*;
 
 /// How far the rays of a question go in a soup of N triangles.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -25,8 +25,8 @@ pub fn at_sizes<A: Accel<Facet>>(
     reach: Reach,
     build: impl Fn(Vec<Facet>) -> A + Sync,
 ) -> Vec<(f64, [f64; 2])> {
-    let at = |&n: &u32| (f64::from(n), mean_tests(n, reach, &build));
-    sizes.par_iter().map(at).collect()
+    let at = |n| (f64::from(n), mean_tests(n, reach, &build));
+    of_each(sizes.len(), |i| at(sizes[i]))
 }
 
 /// The mean number of boxes and of shapes that a ray tests, in a soup of n triangles.
@@ -55,14 +55,13 @@ pub fn mean_tests<A: Accel<Facet>>(
     };
     // Drawn one after the other, and then followed by all processors: the rays do not depend on their number.
     let rays: Vec<_> = (0..RAYS).map(|_| draw()).collect();
-    let count = |(ray, within): &(Ray, Interval)| {
+    let counts = of_each(rays.len(), |i| {
+        let (ray, within) = &rays[i];
         let mut tests = Tests::default();
         accel.closest_counted(ray, *within, &mut tests);
         [tests.boxes, tests.shapes]
-    };
-    let counts = rays.par_iter().map(count);
-    let counts = counts.reduce(|| [0; 2], |[a, b], [c, d]| [a + c, b + d]);
-    counts.map(|count| count as f64 / f64::from(RAYS))
+    });
+    [0, 1].map(|of| counts.iter().map(|count| count[of]).sum::<u64>() as f64 / f64::from(RAYS))
 }
 
 /// A twentieth of a triangle, where it was.

@@ -218,7 +218,7 @@ pub fn colour(hit: Option<&MeshHitAnswer>) -> Rgb {
 }
 
 /// Searches below a node, rightly but for what is changed.
-pub fn search(tree: &Tree, root: &Node, change: impl FnOnce(&mut How)) -> Found {
+pub fn search(tree: &Tree, root: &Node, change: fn(&mut How)) -> Found {
     go(tree, root, changed(WELL, change))
 }
 

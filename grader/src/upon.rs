@@ -62,12 +62,22 @@ pub(crate) fn answer<E: Graded>(question: &E) -> Option<E::Answer> {
 
 /// The right settings with a change, which makes a mistake.
 pub fn changed<S: Copy + 'static>(right: S, change: impl FnOnce(&mut S)) -> S {
+    let mut settings = given().unwrap_or(right);
+    change(&mut settings);
+    made(settings);
+    settings
+}
+
+/// The settings that are given for the right ones, if they are of this kind. This and the next stand apart from [`changed`], which is
+/// compiled anew for each mistake.
+fn given<S: Copy + 'static>() -> Option<S> {
     let given = GIVEN.with_borrow(|given| given.as_ref()?.downcast_ref::<S>().copied());
     if given.is_some() {
         IS_ASKED.set(true);
     }
-    let mut settings = given.unwrap_or(right);
-    change(&mut settings);
+    given
+}
+
+fn made<S: 'static>(settings: S) {
     MADE.set(Some(Box::new(settings)));
-    settings
 }

@@ -119,7 +119,7 @@ impl Photons {
     fn of(mut photons: Vec<Photon>, radius: f32, emitters: Vec<bool>) -> Self {
         let grid = Grid::new(radius, photons.len());
         let bucket = |photon: &Photon| grid.bucket(grid.cell(photon.position));
-        threads::sort_by_cached_key(&mut photons, bucket);
+        threads::sort_by_cached_key(&mut photons, |photon| bucket(photon) as u64);
         let mut starts = vec![0; grid.buckets + 1];
         for photon in &photons {
             starts[bucket(photon) + 1] += 1;

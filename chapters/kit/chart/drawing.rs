@@ -2,16 +2,18 @@
 
 use super::{Chart, Form, Thing};
 use crate::kit::axis::{Axis, Scale};
-use crate::kit::figure::{CENTRE, Style, text, write};
+use crate::kit::figure::{CENTRE, Canvas, Style, text, write};
 use crate::kit::palette::{FAINT, INK};
+use crate::kit::paper::Paper;
 use crate::kit::stage::Drawn;
-use plotters::coord::{Shift, cartesian::Cartesian2d};
+use plotters::coord::cartesian::Cartesian2d;
 use plotters::element::DashedPathElement;
 use plotters::prelude::{
-    ChartBuilder, ChartContext, Circle, Color, DashedLineSeries, DrawingArea, DrawingBackend,
-    LineSeries, PathElement, Polygon, Rectangle, Text, WHITE,
+    ChartBuilder, ChartContext, Circle, Color, DashedLineSeries, LineSeries, PathElement, Polygon,
+    Rectangle, Text, WHITE,
 };
 use plotters::style::SizeDesc;
+use std::io;
 
 /// Length of a dash, and of the gap after it, in pixels of the canvas.
 const DASH: i32 = 14;
@@ -25,10 +27,7 @@ impl Chart {
     ///
     /// # Errors
     /// What plotters reports.
-    pub fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    pub fn draw(&self, canvas: &Canvas) -> Drawn {
         let mut builder = ChartBuilder::on(canvas);
         builder
             .margin(MARGIN)
@@ -68,10 +67,7 @@ impl Chart {
     }
 
     /// The title, above the middle of the axes, unless it would leave the canvas there.
-    fn draw_title<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>, axes: &Axes<B>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw_title(&self, canvas: &Canvas, axes: &Axes) -> Drawn {
         if self.title.is_empty() {
             return Ok(());
         }
@@ -86,10 +82,7 @@ impl Chart {
         write(canvas, &self.title, (x, y), style)
     }
 
-    fn draw_grid<B: DrawingBackend>(&self, axes: &mut Axes<B>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw_grid(&self, axes: &mut Axes) -> Drawn {
         let [x_format, y_format] = [&self.x, &self.y].map(|axis| |v: &f64| (axis.format)(*v));
         let mut grid = axes.configure_mesh();
         if !self.x.is_drawn {
@@ -132,7 +125,7 @@ impl Chart {
     }
 
     /// Pixels to the left of the axes: the widest number, and the name.
-    fn beside<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Result<u32, Error<B>> {
+    fn beside(&self, canvas: &Canvas) -> Result<u32, Error> {
         if let Some(pixels) = self.left {
             return Ok(pixels);
         }
@@ -148,7 +141,7 @@ impl Chart {
     }
 
     /// Pixels by which a number below the right end of the x axis is wider than the axis; none where charts are aligned.
-    fn overhang<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Result<u32, Error<B>> {
+    fn overhang(&self, canvas: &Canvas) -> Result<u32, Error> {
         Ok(if self.x.is_drawn && self.left.is_none() {
             self.widest(&self.x, canvas)? / 2
         } else {
@@ -157,11 +150,7 @@ impl Chart {
     }
 
     /// Width of an axis' widest number.
-    fn widest<B: DrawingBackend>(
-        &self,
-        axis: &Axis,
-        canvas: &DrawingArea<B, Shift>,
-    ) -> Result<u32, Error<B>> {
+    fn widest(&self, axis: &Axis, canvas: &Canvas) -> Result<u32, Error> {
         let mut widest = 0;
         for number in axis.texts() {
             widest = widest.max(canvas.estimate_text_size(&number, &text(self.text))?.0);
@@ -171,16 +160,13 @@ impl Chart {
 }
 
 /// What plotters reports.
-type Error<B> = plotters::drawing::DrawingAreaErrorKind<<B as DrawingBackend>::ErrorType>;
+type Error = plotters::drawing::DrawingAreaErrorKind<io::Error>;
 
 /// The axes on a canvas.
-type Axes<'a, 's, B> = ChartContext<'a, B, Cartesian2d<&'s Scale, &'s Scale>>;
+type Axes<'a, 'p, 's> = ChartContext<'a, Paper<'p>, Cartesian2d<&'s Scale, &'s Scale>>;
 
 impl Thing {
-    fn draw<B: DrawingBackend>(&self, axes: &mut Axes<B>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, axes: &mut Axes) -> Drawn {
         let style = self.style;
         match &self.form {
             Form::Line(points) => {

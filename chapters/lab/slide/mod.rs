@@ -3,7 +3,7 @@
 pub mod measure;
 mod table;
 
-use crate::kit::figure::{CENTRE, Diagram, LEFT, text, write};
+use crate::kit::figure::{CENTRE, Canvas, Diagram, LEFT, text, write};
 use crate::kit::palette::{FAINT, INK};
 use crate::kit::pen::Pen;
 use crate::kit::stage::Drawn;
@@ -19,8 +19,7 @@ use crate::lab::spectrum::Spectrum;
 use crate::lab::subject::{Subject, known};
 use crate::lab::targets;
 use measure::{Measure, measures};
-use plotters::coord::Shift;
-use plotters::prelude::{Circle, Color, DrawingArea, DrawingBackend, Rectangle};
+use plotters::prelude::{Circle, Color, Rectangle};
 use raybook::image::{Image, file};
 use raybook::render::film::Film;
 use raybook::store;
@@ -138,10 +137,7 @@ impl Plot for Slide {
         (1920, 1080)
     }
 
-    fn draw<B: DrawingBackend>(&self, canvas: &DrawingArea<B, Shift>) -> Drawn
-    where
-        B::ErrorType: 'static,
-    {
+    fn draw(&self, canvas: &Canvas) -> Drawn {
         let title =
             "Rotated grid, jittered, Poisson disk: which pattern for the samples of a pixel?";
         write(canvas, title, (1920, 76), text(66).pos(CENTRE))?;

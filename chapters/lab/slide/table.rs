@@ -2,12 +2,11 @@
 
 use super::measure::Measure;
 use super::{FIRST, LETTERS};
-use crate::kit::figure::{LEFT, RIGHT, text, write};
+use crate::kit::figure::{Canvas, LEFT, RIGHT, text, write};
 use crate::kit::palette::BLUE;
 use crate::kit::stage::Drawn;
 use crate::lab::legend::number;
-use plotters::coord::Shift;
-use plotters::prelude::{Color, DrawingArea, DrawingBackend, Rectangle};
+use plotters::prelude::{Color, Rectangle};
 
 /// Where the table is, in pixels of the canvas: its first line, the distance of its lines, the right end of its first column of
 /// numbers, and the distance of the columns.
@@ -17,14 +16,7 @@ const NUMBERS: i32 = 1400;
 const APART: i32 = 400;
 
 /// Draws the measures of the patterns with these titles.
-pub(super) fn draw<B: DrawingBackend>(
-    canvas: &DrawingArea<B, Shift>,
-    titles: &[&str],
-    measures: &[Measure],
-) -> Drawn
-where
-    B::ErrorType: 'static,
-{
+pub(super) fn draw(canvas: &Canvas, titles: &[&str], measures: &[Measure]) -> Drawn {
     let name = |words: &str, y: i32| write(canvas, words, (FIRST, y), text(LETTERS).pos(LEFT));
     let column = |i: usize| NUMBERS + APART * i as i32;
     let cell = |words: &str, i: usize, y: i32| {

@@ -17,7 +17,7 @@ pub struct Asking {
     #[arg(long, value_name = "FILE|COMMAND|FOLDER")]
     pub program: Option<PathBuf>,
     /// How long to wait for one answer, in seconds; all of an exercise may take 150 times as long, and a check 900 times
-    #[arg(long, default_value_t = 2.0, value_parser = super::seconds)]
+    #[arg(long, default_value = "2.0", value_parser = super::seconds)]
     time_limit: f32,
     /// Run --program with all your rights, outside of the sandbox: it can read and change what you can
     #[arg(long, requires = "program")]

@@ -23,7 +23,7 @@ pub struct Hint {
     #[command(flatten)]
     asking: Asking,
     /// How much is told: 1 a question that leads on, 2 what your function does, 3 a line of the way to the right answer too
-    #[arg(long, value_name = "1|2|3", default_value_t = 1, value_parser = clap::value_parser!(u8).range(1..=3))]
+    #[arg(long, value_name = "1|2|3", default_value = "1", value_parser = clap::value_parser!(u8).range(1..=3))]
     level: u8,
 }
 

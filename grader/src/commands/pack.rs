@@ -42,7 +42,7 @@ pub struct Github {
     #[arg(long, value_name = "FILE")]
     course: PathBuf,
     /// Into how many parts the class is cut, as many jobs of the workflow
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=256))]
+    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=256))]
     parts: u32,
 }
 
@@ -64,7 +64,7 @@ pub struct Slurm {
     #[arg(long, value_name = "FOLDER", default_value = "results")]
     out: PathBuf,
     /// Into how many parts the class is cut
-    #[arg(long, value_name = "N", default_value_t = 8, value_parser = clap::value_parser!(u32).range(1..=4000))]
+    #[arg(long, value_name = "N", default_value = "8", value_parser = clap::value_parser!(u32).range(1..=4000))]
     parts: u32,
 }
 

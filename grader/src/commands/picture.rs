@@ -18,7 +18,7 @@ pub struct Picture {
     #[arg(default_value = ".")]
     folder: PathBuf,
     /// The picture's width in pixels; its height is 9/16 of that
-    #[arg(long, default_value_t = 128, value_parser = clap::value_parser!(u32).range(16..=960))]
+    #[arg(long, default_value = "128", value_parser = clap::value_parser!(u32).range(16..=960))]
     width: u32,
 }
 

@@ -40,7 +40,7 @@ pub struct Samplers {
     #[arg(long, value_delimiter = ',')]
     patterns: Vec<String>,
     /// Points in the point sets, the spectra and the table
-    #[arg(long, default_value_t = 256, value_parser = clap::value_parser!(u32).range(1..=4096))]
+    #[arg(long, default_value = "256", value_parser = clap::value_parser!(u32).range(1..=4096))]
     points: u32,
     /// Samples per pixel of the pictures and of the polar plots
     #[arg(long, value_delimiter = ',', default_value = "1,4,16,64", value_parser = clap::value_parser!(u32).range(1..=1024))]

@@ -259,7 +259,7 @@ const WELL: How = How {
 };
 
 /// The code value, rightly but for what is changed.
-fn encoded(q: &EncodeSrgb, change: impl FnOnce(&mut How)) -> f32 {
+fn encoded(q: &EncodeSrgb, change: fn(&mut How)) -> f32 {
     let how = changed(WELL, change);
     let [least, greatest] = how.range;
     let v = q.v.clamp(least, greatest);

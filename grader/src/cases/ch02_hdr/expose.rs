@@ -207,7 +207,7 @@ const WELL: How = How {
 };
 
 /// The colour, exposed rightly but for what is changed.
-fn exposed(q: &Expose, change: impl FnOnce(&mut How)) -> Rgb {
+fn exposed(q: &Expose, change: fn(&mut How)) -> Rgb {
     let how = changed(WELL, change);
     (how.apply)(q.radiance, (how.factor)(q.stops))
 }

@@ -230,7 +230,7 @@ const WELL: How = How {
 };
 
 /// The colour, mapped rightly but for what is changed.
-fn mapped(q: &ToneMap, change: impl FnOnce(&mut How)) -> Rgb {
+fn mapped(q: &ToneMap, change: fn(&mut How)) -> Rgb {
     let how = changed(WELL, change);
     (how.apply)(q.radiance, (how.luminance)(q.radiance), how.share)
 }

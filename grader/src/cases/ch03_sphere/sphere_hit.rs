@@ -433,7 +433,7 @@ const WELL: How = How {
 };
 
 /// The hit, found rightly but for what is changed.
-fn hit(q: &SphereHit, change: impl FnOnce(&mut How)) -> Option<f32> {
+fn hit(q: &SphereHit, change: fn(&mut How)) -> Option<f32> {
     let how = changed(WELL, change);
     let asked = (how.asked)(q, (how.roots)(q)?);
     asked.into_iter().find(|t| (how.counts)(q, *t))

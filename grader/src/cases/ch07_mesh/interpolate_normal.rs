@@ -179,7 +179,7 @@ const WELL: How = How {
 };
 
 /// The normal, blended rightly but for what is changed.
-fn blended(q: &InterpolateNormal, change: impl FnOnce(&mut How)) -> Vec3 {
+fn blended(q: &InterpolateNormal, change: fn(&mut How)) -> Vec3 {
     let how = changed(WELL, change);
     let [w0, w1, w2] = (how.weights)(q.b.to_array());
     let sum = w0 * *q.n0 + w1 * *q.n1 + w2 * *q.n2;

@@ -497,7 +497,7 @@ const WELL: How = How {
 };
 
 /// The normals, averaged rightly but for what is changed.
-fn averaged(q: &VertexNormals, change: impl FnOnce(&mut How)) -> Vec<Vec3> {
+fn averaged(q: &VertexNormals, change: fn(&mut How)) -> Vec<Vec3> {
     let how = changed(WELL, change);
     let mut so_far = vec![(Vec3::ZERO, 0.0); q.positions.len()];
     for triangle in (how.taken)(&q.triangles) {

@@ -428,7 +428,7 @@ fn counting(q: &BvhClosest, count: fn(&Found) -> (u32, u32)) -> BvhClosestAnswer
 }
 
 /// A search that goes wrong in some way.
-fn search(q: &BvhClosest, change: impl FnOnce(&mut How)) -> BvhClosestAnswer {
+fn search(q: &BvhClosest, change: fn(&mut How)) -> BvhClosestAnswer {
     answer_of(with_tree(q, |tree| {
         search::search(tree, &node(q, 0), change)
     }))

@@ -303,7 +303,7 @@ const WELL: How = How {
 };
 
 /// The refracted ray, rightly but for what is changed.
-fn bent(q: &Refract, change: impl FnOnce(&mut How)) -> Option<Vec3> {
+fn bent(q: &Refract, change: fn(&mut How)) -> Option<Vec3> {
     let how = changed(WELL, change);
     let (n, eta) = ((how.normal)(q), (how.ratio)(q));
     let cos1 = (how.cosine)(q, n);

@@ -34,6 +34,14 @@ pub(super) fn around(
     axis: Dir3,
     choose: impl Fn(Vec2, f32) -> (f32, f32, f32),
 ) -> Vec<Chosen> {
+    seen_around(q, axis, &choose)
+}
+
+fn seen_around(
+    q: &SampleSphereLight,
+    axis: Dir3,
+    choose: &dyn Fn(Vec2, f32) -> (f32, f32, f32),
+) -> Vec<Chosen> {
     let (basis, cap) = (Basis::around(axis), cap(q));
     let light = Sphere::new(q.center, q.radius);
     let chosen = |u: Vec2| {

@@ -290,7 +290,7 @@ fn cos_alpha(q: &BrdfPhong) -> f32 {
 }
 
 /// The BRDF, made rightly but for what is changed.
-fn brdf(q: &BrdfPhong, change: impl FnOnce(&mut How)) -> Rgb {
+fn brdf(q: &BrdfPhong, change: fn(&mut How)) -> Rgb {
     let how = changed(WELL, change);
     if !(how.is_lit)(q.normal.dot(*q.toward), q.normal.dot(*q.view)) {
         return Rgb::BLACK;

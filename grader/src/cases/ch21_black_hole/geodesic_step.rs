@@ -331,7 +331,7 @@ fn h2(x: DVec3, v: DVec3) -> f64 {
 }
 
 /// What is after the step, gone rightly but for what is changed.
-fn stepped(q: &GeodesicStep, change: impl FnOnce(&mut How)) -> GeodesicStepAnswer {
+fn stepped(q: &GeodesicStep, change: fn(&mut How)) -> GeodesicStepAnswer {
     let how = changed(WELL, change);
     let pull = |x: DVec3, v: DVec3| {
         let einstein = how.factor * (how.h2)(x, v) / x.length().powi(how.power);

@@ -59,7 +59,7 @@ const OF_COLUMN: fn(Vec2) -> Vec2 = |cell| vec2(cell.x, 0.0);
 const OF_ROW: fn(Vec2) -> Vec2 = |cell| vec2(0.0, cell.y);
 
 /// The points, rightly but for what is changed.
-fn in_cells(q: &Jittered, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
+fn in_cells(q: &Jittered, change: fn(&mut How)) -> Vec<Vec2> {
     let how = changed(WELL, change);
     let rng = &mut pcg::stream(22, q.seed.into());
     let drawn = (0..q.columns * q.rows).map(|_| vec2(rng.random(), rng.random()));

@@ -57,7 +57,10 @@ fn darts(q: &PoissonDisk, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
         border: 0.0,
         has_room: None,
     };
-    let how = changed(well, change);
+    thrown(q, &changed(well, change))
+}
+
+fn thrown(q: &PoissonDisk, how: &How) -> Vec<Vec2> {
     let rng = &mut pcg::stream(22, q.seed.into());
     let (mut near, mut points) = (
         Neighbours::new(how.distance.into(), Space::Square),

@@ -50,7 +50,10 @@ impl How {
 
 /// The points, rightly but for what is changed.
 fn in_cells(q: &RegularGrid, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
-    let how = changed(How::well(q), change);
+    places(&changed(How::well(q), change))
+}
+
+fn places(how: &How) -> Vec<Vec2> {
     let [columns, rows] = how.loops;
     let cells = (0..columns * rows).map(|i| (how.cell)(i, columns, rows));
     let place = |cell| how.pixel + cell / how.count + how.part / how.part_of;

@@ -44,7 +44,7 @@ const WELL: How = How {
 };
 
 /// What each pixel gets, rightly but for what is changed.
-fn spent(q: &SpendBudget, change: impl FnOnce(&mut How)) -> Vec<u32> {
+fn spent(q: &SpendBudget, change: fn(&mut How)) -> Vec<u32> {
     let how = changed(WELL, change);
     let weights = q.deviations.iter().copied().map(how.weight);
     let shares = (how.shares)(&SpendBudget {

@@ -432,7 +432,7 @@ static SLOPE: LazyLock<WideClosest> = LazyLock::new(|| {
 });
 
 /// A search that goes wrong in some way.
-fn search(q: &WideClosest, change: impl FnOnce(&mut How)) -> WideClosestAnswer {
+fn search(q: &WideClosest, change: fn(&mut How)) -> WideClosestAnswer {
     let found = with_tree(q, |tree| search::search(tree, &Node::Branch(0), change));
     WideClosestAnswer {
         nodes: found.branches,

@@ -18,7 +18,7 @@ pub struct Present {
     #[command(flatten)]
     options: Options,
     /// The port on this machine; 0 is any that is free
-    #[arg(long, default_value_t = 0)]
+    #[arg(long, default_value = "0")]
     port: u16,
     /// Only print the address, and open no browser
     #[arg(long)]

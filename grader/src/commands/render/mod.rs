@@ -40,7 +40,7 @@ pub struct Render {
     #[arg(long, value_enum, num_args = 0..=1, require_equals = true, default_missing_value = "page")]
     preview: Option<View>,
     /// The port of the preview's page on this machine; 0 is any that is free
-    #[arg(long, default_value_t = 0, requires = "preview")]
+    #[arg(long, default_value = "0", requires = "preview")]
     port: u16,
 }
 

@@ -191,7 +191,7 @@ const SHARE: usize = 32;
 
 /// What a function makes of each slip, in their order, on all cores. Steps are counted between blocks of slips, so that it does not hang
 /// on the order in which these are tried which are the last.
-pub fn each_slip<R: Send>(
+pub fn each_slip<R: Send + Sync>(
     evidence: &Evidence<'_>,
     slips: &[Slipped],
     make: impl Fn(&Slipped) -> R + Sync,

@@ -132,7 +132,7 @@ fn sort_along_curve(items: &mut [Item]) {
         let [x, y, z] = at.to_array().map(|at| spread(at as u64));
         x << 2 | y << 1 | z
     };
-    threads::sort_by_cached_key(items, |item| (code(item), item.index));
+    threads::sort_by_cached_key(items, code);
 }
 
 /// Moves each of the lowest 21 bits, bit i, to place 3·i.

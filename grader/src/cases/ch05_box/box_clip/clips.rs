@@ -62,7 +62,7 @@ const WELL: How = How {
 };
 
 /// The part of the ray inside the box, rightly but for what is changed.
-pub(super) fn clipped(q: &BoxClip, change: impl FnOnce(&mut How)) -> Option<Interval> {
+pub(super) fn clipped(q: &BoxClip, change: fn(&mut How)) -> Option<Interval> {
     let how = changed(WELL, change);
     let mut part = (how.start)(q.within);
     for axis in 0..3 {

@@ -40,7 +40,10 @@ const WELL: How = How {
 
 /// The cells that meet the triangle, found rightly but for what is changed.
 pub(super) fn found(q: &VoxelsOfTriangle, change: impl FnOnce(&mut How)) -> Vec<Cell> {
-    let how = changed(WELL, change);
+    cells(q, &changed(WELL, change))
+}
+
+fn cells(q: &VoxelsOfTriangle, how: &How) -> Vec<Cell> {
     let (lattice, around) = (q.lattice(), Aabb::of(corners(q)));
     let (mut last, margin) = (lattice.resolution - 1, (how.margin)(q));
     if how.is_along_z {

@@ -67,7 +67,7 @@ const WELL: How = How {
 };
 
 /// The tree, built rightly but for what is changed.
-pub(super) fn built(q: &OctreeBuild, change: impl FnOnce(&mut How)) -> TreeRow {
+pub(super) fn built(q: &OctreeBuild, change: fn(&mut How)) -> TreeRow {
     let how = changed(WELL, change);
     let mut tree = TreeRow {
         nodes: vec![leaf(0, 0)],

@@ -29,7 +29,10 @@ pub(super) fn split(q: &SahSplit, change: impl FnOnce(&mut How)) -> Vec<u32> {
         side: sah_of,
         cut: sum,
     };
-    let How { key, side, cut } = changed(right, change);
+    left_of_cheapest(q, changed(right, change))
+}
+
+fn left_of_cheapest(q: &SahSplit, How { key, side, cut }: How) -> Vec<u32> {
     let cuts = cuts(&q.boxes, key).into_iter();
     let best = cuts.min_by(|a, b| cut(q, side, a.0, &a.1).total_cmp(&cut(q, side, b.0, &b.1)));
     best.map_or(Vec::new(), |(_, [left, _])| left)

@@ -39,7 +39,10 @@ const WELL: How = How {
 
 /// The lattice's images, but for what is changed.
 pub(super) fn chosen(q: &CosineHemisphere, change: impl FnOnce(&mut How)) -> Vec<Vec3> {
-    let how = changed(WELL, change);
+    images(q, &changed(WELL, change))
+}
+
+fn images(q: &CosineHemisphere, how: &How) -> Vec<Vec3> {
     let [x, y] = (how.axes)(q.normal);
     let image = |u: Vec2| {
         let u = u.as_dvec2();

@@ -46,7 +46,10 @@ pub(super) fn integrated(q: &ReflectedRadiance, change: impl FnOnce(&mut How)) -
         sky: ReflectedRadiance::sky,
         weight: |_, _| 1.0,
     };
-    let How { brdf, sky, weight } = changed(right, change);
+    whole(q, changed(right, change))
+}
+
+fn whole(q: &ReflectedRadiance, How { brdf, sky, weight }: How) -> Rgb {
     let [sum] = integral(q.normal, |d| {
         [brdf(q, d) * sky(q, d) * d.dot(*q.normal) * weight(q, d)]
     });

@@ -81,7 +81,7 @@ const WELL: How = How {
 };
 
 /// The density, rightly but for what is changed.
-pub(super) fn density(q: &EnvironmentPdf, change: impl FnOnce(&mut How)) -> f32 {
+pub(super) fn density(q: &EnvironmentPdf, change: fn(&mut How)) -> f32 {
     let how = changed(WELL, change);
     let place = (how.place)(q.direction);
     let [column, row] = how.number;

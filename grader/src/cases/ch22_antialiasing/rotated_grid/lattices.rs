@@ -54,7 +54,10 @@ impl How {
 
 /// The points in the square, rightly but for what is changed.
 pub(super) fn points(q: &RotatedGrid, change: impl FnOnce(&mut How)) -> Vec<Vec2> {
-    let how = changed(How::well(q), change);
+    inside(q, &changed(How::well(q), change))
+}
+
+fn inside(q: &RotatedGrid, how: &How) -> Vec<Vec2> {
     let sense = if how.is_clockwise { -1.0 } else { 1.0 };
     // Steps that lead into the square are those around the one that leads to its middle.
     let first = -(how.offset + turned(how.turned(Vec2::ZERO), -sense)).floor();

@@ -94,7 +94,7 @@ const WELL: How = How {
 };
 
 /// The answer, decided rightly but for what is changed.
-pub(super) fn decided(q: &NeedsMore, change: impl FnOnce(&mut How)) -> u32 {
+pub(super) fn decided(q: &NeedsMore, change: fn(&mut How)) -> u32 {
     let how = changed(WELL, change);
     if q.samples.len() < how.fewest {
         return 1;

@@ -59,7 +59,7 @@ const WELL: How = How {
 };
 
 /// The families, made rightly but for what is changed.
-pub(super) fn families(q: &Collapse, change: impl FnOnce(&mut How)) -> Vec<FamilyRow> {
+pub(super) fn families(q: &Collapse, change: fn(&mut How)) -> Vec<FamilyRow> {
     /// More lists are not made of what was opened: of a chain of 19 branches there are 250,000, as each branch is opened again and again.
     const ENOUGH: usize = 10_000;
     let how = changed(WELL, change);

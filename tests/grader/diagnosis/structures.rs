@@ -129,3 +129,27 @@ fn an_end_that_is_ignored_is_named() {
     });
     assert_eq!(found.name, "ignores the interval's max");
 }
+
+#[test]
+fn cells_that_are_looked_for_in_the_plane_between_two_are_named() {
+    // A visit is a cell and the distance at which the ray leaves it: 0 for the place where it enters, 1 for that where it leaves.
+    for (end, told) in [
+        (0, "at which the ray enters it"),
+        (1, "at which the ray leaves it"),
+    ] {
+        let found = diagnosed("grid_walk", |q| {
+            let mut visits = right("grid_walk", q);
+            let leaves: Vec<_> = visits[1..].chunks(4).map(|visit| visit[3]).collect();
+            for (i, visit) in visits[1..].chunks_mut(4).enumerate().skip(1) {
+                let t = leaves[i - 1 + end];
+                for axis in 0..3 {
+                    let (min, cell, n) = (q[axis], q[3 + axis], q[6 + axis]);
+                    let place = (q[9 + axis] + t * q[12 + axis] - min) / cell;
+                    visit[axis] = place.floor().clamp(0.0, n - 1.0);
+                }
+            }
+            Some(visits)
+        });
+        assert!(found.name.contains(told), "{}", found.name);
+    }
+}

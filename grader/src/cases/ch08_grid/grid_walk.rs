@@ -12,8 +12,8 @@ use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::R
 use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use walks::{
-    ADDING, Adding, added, ahead, beyond, by_distance, by_layers, in_front, in_lattice, nearest,
-    numbered, stuck, student, walked, without_xy, without_xz, without_yz, z_before_y,
+    ADDING, Adding, added, ahead, beyond, by_distance, by_layers, by_middles, in_front, in_lattice,
+    nearest, numbered, stuck, student, walked, without_xy, without_xz, without_yz, z_before_y,
 };
 
 impl Graded for GridWalk {
@@ -50,7 +50,10 @@ impl Graded for GridWalk {
     }
 
     fn judge(q: &GridWalk, golden: &Vec<Visit>, got: &Vec<Visit>) -> Verdict {
-        compared(q, golden, got).map_err(|why| less_than_a_step(q, golden, got).unwrap_or(why))
+        compared(q, golden, got).map_err(|why| {
+            let short = less_than_a_step(q, golden, got);
+            short.or_else(|| at_an_end(q, golden, got)).unwrap_or(why)
+        })
     }
 
     /// Without the cells that the ray only touches, whatever distances are given.
@@ -91,6 +94,16 @@ impl Graded for GridWalk {
             complaint: "the distance at which it leaves",
             name: "gives wrong distances for the right cells",
             hint: "From where is t measured, and at which plane does the ray leave the cell?",
+        },
+        Flaw {
+            complaint: AT_ENTRY,
+            name: "looks for the cell at the distance at which the ray enters it: there the ray is in the plane between two cells, and rounding chooses one",
+            hint: "Between which two distances is the ray in one cell, and where between them is it surely not in a plane?",
+        },
+        Flaw {
+            complaint: AT_EXIT,
+            name: "looks for the cell at the distance at which the ray leaves it: there the ray is in the plane between two cells, and rounding chooses one",
+            hint: "Between which two distances is the ray in one cell, and where between them is it surely not in a plane?",
         },
         Flaw {
             complaint: SHORT,
@@ -508,20 +521,12 @@ impl Graded for GridWalk {
         Mistake {
             name: "takes the lattice to begin at the origin where the number of any cell is calculated",
             hint: "The lattice begins at x = 2, and its cells are 1 m wide: in which one is the ray at x = 3.5?",
-            answer: |q| {
-                let last = UVec3::new(q.nx, q.ny, q.nz).as_vec3() - 1.0;
-                let of = |(visit, enter): (Visit, f32)| {
-                    let middle = q.ray.at(0.5 * (enter + visit.leave));
-                    let cell = (middle / q.cell).floor().clamp(Vec3::ZERO, last).as_uvec3();
-                    Visit {
-                        x: cell.x,
-                        y: cell.y,
-                        z: cell.z,
-                        ..visit
-                    }
-                };
-                entered(q).into_iter().map(of).collect()
-            },
+            answer: |q| by_middles(q, |q, middle| (middle / q.cell).floor()),
+        },
+        Mistake {
+            name: "rounds to the nearest cell where the number of any cell is calculated",
+            hint: "A ray at 0.7 of a cell's width is in this cell: which one does your rounding give?",
+            answer: |q| by_middles(q, |q, middle| ((middle - q.min) / q.cell).round()),
         },
     ];
 
@@ -585,6 +590,48 @@ fn compared(q: &GridWalk, golden: &[Visit], got: &[Visit]) -> Verdict {
         )),
         None => Ok(()),
     }
+}
+
+/// What the judge says of a walk whose cells were looked for at the wrong end of the ray's way through them.
+const AT_ENTRY: &str = "where the ray enters the right cell";
+const AT_EXIT: &str = "where the ray goes on from the right cell";
+
+/// What is wrong with a walk of right distances, all of whose wrong cells meet the ray where it enters the right ones, or where it leaves
+/// them.
+fn at_an_end(q: &GridWalk, golden: &[Visit], got: &[Visit]) -> Option<String> {
+    let (right, yours) = (passed(q, golden), passed(q, got));
+    let is_left = |(right, yours): (&Visit, &Visit)| {
+        judge::number("leave", "m", right.leave, yours.leave).is_ok()
+    };
+    if right.len() != yours.len() || !right.iter().zip(&yours).all(is_left) {
+        return None;
+    }
+    let enters = std::iter::once(start(q)).chain(right.iter().map(|visit| visit.leave));
+    let all = enters.zip(right.iter().zip(&yours));
+    let wrong: Vec<_> = all.filter(|(_, (r, y))| r.cell() != y.cell()).collect();
+    let (_, (first, instead)) = wrong.first()?;
+    let at = |t: f32, visit: &Visit| {
+        let leave = t;
+        is_there(
+            q,
+            &Visit {
+                leave,
+                ..visit.clone()
+            },
+        )
+        .is_ok()
+    };
+    let place = if wrong.iter().all(|(enter, (_, yours))| at(*enter, yours)) {
+        AT_ENTRY
+    } else if wrong.iter().all(|(_, (_, yours))| at(yours.leave, yours)) {
+        AT_EXIT
+    } else {
+        return None;
+    };
+    let (first, instead) = (first.cell(), instead.cell());
+    Some(format!(
+        "your walk has the right distances, but cell {instead} for {first}: it is {place}"
+    ))
 }
 
 /// Whether the ray leaves a visited cell where it says, even a cell that the ray only touches.

@@ -11,7 +11,7 @@ use glam::{UVec3, vec3};
 use rand::RngExt;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
-use walks::{AtEmpty, Place, along_x, before_is, looked_up, marched, numbered};
+use walks::{AtEmpty, Place, along_x, before_is, by_boxes, looked_up, marched, numbered};
 
 /// The boxes of all fine cells, in the row of all.
 pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
@@ -419,6 +419,36 @@ impl Graded for TwoLevelWalk {
                 let count = |cut: &Resolution| cut.nx * cut.ny * cut.nz;
                 let most = q.fine.iter().map(count).max().unwrap_or(0);
                 before_is(q, |cuts| (cuts.len() as u32 - 1) * most)
+            },
+        },
+        Mistake {
+            name: "lets a fine cell end one fine side behind the corner of its coarse cell, not behind its own corner",
+            hint: "The third fine cell along x begins two sides behind its coarse cell: where does it end?",
+            answer: |q| {
+                by_boxes(q, |coarse, fine| Aabb {
+                    max: coarse.min + fine.size(),
+                    ..fine
+                })
+            },
+        },
+        Mistake {
+            name: "lets every fine cell begin at the corner of its coarse cell",
+            hint: "The third fine cell along x: how many sides behind the corner of its coarse cell does it begin?",
+            answer: |q| {
+                by_boxes(q, |coarse, fine| Aabb {
+                    min: coarse.min,
+                    ..fine
+                })
+            },
+        },
+        Mistake {
+            name: "takes a fine cell to be as large as its coarse cell",
+            hint: "A coarse cell is cut into four along x: how long is a fine one?",
+            answer: |q| {
+                by_boxes(q, |coarse, fine| Aabb {
+                    max: fine.min + coarse.size(),
+                    ..fine
+                })
             },
         },
         Mistake {

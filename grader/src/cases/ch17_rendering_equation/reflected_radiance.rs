@@ -6,9 +6,9 @@ use super::colour;
 use crate::together::{Bounds, scattered};
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits, upon};
 use estimates::{
-    both, brdf_by, built, by_own_density, clamped, clamped_light, cosine, crossed, estimated,
-    from_below, half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte,
-    mirrored, on_curve, raised, under, uneven,
+    both, built, by_own_density, clamped, clamped_light, cosine, crossed, estimated, from_below,
+    half_sphere, highlight, integral, integrated, inverse_sine, lobe, lobes, matte, mirrored,
+    on_curve, raised, under, uneven,
 };
 use raybook::image::rgb::Rgb;
 use raybook::math::{dir3::Dir3, pcg::Pcg};
@@ -283,7 +283,14 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "takes the direction to the light for the viewer's in the BRDF",
             hint: "The BRDF has two directions, to the light and to the viewer: which of them do you hand over?",
-            answer: |q| integrated(q, |how| how.brdf = |q, d| q.brdf().value(q.normal, d, d)),
+            answer: |q| {
+                integrated(q, |how| {
+                    how.shine = |q, d| {
+                        let cosine = 2.0 * cosine(q, d).powi(2) - 1.0;
+                        cosine.max(0.0).powf(q.exponent)
+                    };
+                })
+            },
         },
         Mistake {
             name: "leaves out the highlight",
@@ -313,14 +320,7 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "takes (n + 1)/2π for the factor of the highlight in the BRDF",
             hint: "Which factor has the highlight in brdf_phong, and which one has the density of its lobe?",
-            answer: |q| {
-                let n = q.exponent;
-                let dimmer = ReflectedRadiance {
-                    specular: q.specular * ((n + 1.0) / (n + 2.0)),
-                    ..q.clone()
-                };
-                integrated(&dimmer, |_| {})
-            },
+            answer: |q| integrated(q, |how| how.gloss = |n| (n + 1.0) / (n + 2.0)),
         },
         Mistake {
             name: "chooses half of the directions by a lobe of another exponent than in the density",
@@ -478,23 +478,19 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "forgets the π under the matte part of the BRDF",
             hint: "How much does a surface with your BRDF send to all sides together, for each watt that arrives?",
-            answer: |q| integrated(q, |how| how.brdf = |q, d| brdf_by(q, d, PI, 1.0)),
+            answer: |q| integrated(q, |how| how.matte = PI),
         },
         Mistake {
             name: "forgets the factor of the highlight in the BRDF",
             hint: "The sharper a highlight, the brighter it must be in its middle to send out the same light.",
-            answer: |q| {
-                integrated(q, |how| {
-                    how.brdf = |q, d| brdf_by(q, d, 1.0, TAU / (q.exponent + 2.0));
-                })
-            },
+            answer: |q| integrated(q, |how| how.gloss = |n| TAU / (n + 2.0)),
         },
         Mistake {
             name: "looks for the highlight at the viewer, without mirroring",
             hint: "Where does a mirror show the light: where you are, or on the other side of the normal?",
             answer: |q| {
                 integrated(q, |how| {
-                    how.brdf = |q, d| q.brdf().value(q.normal, mirrored(q), d);
+                    how.shine = |q, d| d.dot(*q.view).max(0.0).powf(q.exponent);
                 })
             },
         },
@@ -503,11 +499,7 @@ impl Graded for ReflectedRadiance {
             hint: "The size of a negative cosine is positive: what if the light and the mirrored viewer are on different sides?",
             answer: |q| {
                 integrated(q, |how| {
-                    how.brdf = |q, d| {
-                        let shine = d.dot(*mirrored(q)).abs().powf(q.exponent);
-                        let shine = (q.exponent + 2.0) / TAU * shine;
-                        q.diffuse * (1.0 / PI) + q.specular * shine
-                    };
+                    how.shine = |q, d| d.dot(*mirrored(q)).abs().powf(q.exponent);
                 })
             },
         },
@@ -516,11 +508,9 @@ impl Graded for ReflectedRadiance {
             hint: "That is Blinn's model: which two vectors make the angle in Phong's?",
             answer: |q| {
                 integrated(q, |how| {
-                    how.brdf = |q, d| {
+                    how.shine = |q, d| {
                         let half = Dir3::new_or(*d + *q.view, q.normal);
-                        let shine = half.dot(*q.normal).max(0.0).powf(q.exponent);
-                        let shine = (q.exponent + 2.0) / TAU * shine;
-                        q.diffuse * (1.0 / PI) + q.specular * shine
+                        half.dot(*q.normal).max(0.0).powf(q.exponent)
                     };
                 })
             },
@@ -528,16 +518,7 @@ impl Graded for ReflectedRadiance {
         Mistake {
             name: "forgets the exponent of the highlight's cosine in the BRDF",
             hint: "A larger n, a smaller highlight: does yours become smaller?",
-            answer: |q| {
-                integrated(q, |how| {
-                    how.brdf = |q, d| {
-                        let mut brdf = q.brdf();
-                        brdf.exponent = 1.0;
-                        brdf.specular = brdf.specular * ((q.exponent + 2.0) / 3.0);
-                        brdf.value(q.normal, q.view, d)
-                    };
-                })
-            },
+            answer: |q| integrated(q, |how| how.shine = |q, d| d.dot(*mirrored(q)).max(0.0)),
         },
         Mistake {
             name: "chooses half of the directions around the viewer, with the density of those around the mirrored viewer",

@@ -1,6 +1,6 @@
 //! Walks through a grid as students write them: what may be mistaken in each is of the caller's choice.
 
-use super::start;
+use super::{entered, start};
 use crate::Graded;
 use glam::{UVec3, Vec3};
 use raybook::inside::grid::Lattice;
@@ -173,6 +173,17 @@ pub(super) fn numbered(q: &GridWalk, number: fn(&Visit) -> [u32; 3]) -> Vec<Visi
     let mut visits = GridWalk::right(q);
     visits.sort_by_key(number);
     visits
+}
+
+/// The right distances, with the cells that have these numbers halfway between each two.
+pub(super) fn by_middles(q: &GridWalk, number: fn(&GridWalk, Vec3) -> Vec3) -> Vec<Visit> {
+    let last = UVec3::new(q.nx, q.ny, q.nz).as_vec3() - 1.0;
+    let of = |(visit, enter): (Visit, f32)| {
+        let middle = q.ray.at(0.5 * (enter + visit.leave));
+        let UVec3 { x, y, z } = number(q, middle).clamp(Vec3::ZERO, last).as_uvec3();
+        Visit { x, y, z, ..visit }
+    };
+    entered(q).into_iter().map(of).collect()
 }
 
 /// A walk on which the cell changes along some axes only.

@@ -2,9 +2,10 @@
 
 use super::cells;
 use crate::Graded;
+use crate::upon::changed;
 use glam::UVec3;
 use raybook::inside::grid::walk;
-use raybook::math::slab;
+use raybook::math::{aabb::Aabb, slab};
 use raybook_workbook::exercises::ch09_two_level_grid::TwoLevelWalk;
 use std::ops::ControlFlow;
 
@@ -91,6 +92,31 @@ pub(super) fn looked_up(
         ControlFlow::Continue(())
     });
     places
+}
+
+/// The box of a fine cell, from that of its coarse cell and from its own.
+type Boxes = fn(coarse: &Aabb, fine: Aabb) -> Aabb;
+
+/// The walk through all fine cells whose boxes the ray crosses, in the order of the distances, if the boxes are made of a coarse cell and of
+/// one of its fine cells by `change`.
+pub(super) fn by_boxes(q: &TwoLevelWalk, change: Boxes) -> Vec<u32> {
+    let boxes = changed((|_, fine| fine) as Boxes, |boxes| *boxes = change);
+    let levels = q.levels();
+    let fine_of = |coarse| levels.fine(coarse).map(|(_, fine)| (coarse, fine));
+    let mut crossed = Vec::new();
+    let mut place = 0;
+    for (coarse, fine) in levels.top.all().filter_map(fine_of) {
+        let around = levels.top.bounds_of(coarse, coarse);
+        for cell in fine.all() {
+            let bounds = boxes(&around, fine.bounds_of(cell, cell));
+            let stay = slab::clip(&bounds, &q.ray, q.within);
+            let middle = stay.filter(|stay| stay.min < stay.max);
+            crossed.extend(middle.map(|stay| (stay.min + stay.max, place)));
+            place += 1;
+        }
+    }
+    crossed.sort_by(|(a, _), (b, _)| a.total_cmp(b));
+    crossed.into_iter().map(|(_, place)| place).collect()
 }
 
 /// The place of a cell if those along x come first, then those along y.

@@ -70,11 +70,14 @@ const WELL: How = How {
 
 /// The fractions, rightly but for what is changed, by a lattice in place of random numbers.
 pub(super) fn sampled(q: &VisibleFraction, change: impl FnOnce(&mut How)) -> Vec<f32> {
-    let how = changed(WELL, change);
+    fractions(q, &changed(WELL, change))
+}
+
+fn fractions(q: &VisibleFraction, how: &How) -> Vec<f32> {
     let samples = q.samples as f32;
     let whole =
         |share: f32| (how.count_from + share * (how.taken)(samples)) / (how.divisor)(samples);
-    shares(q, &how).into_iter().map(whole).collect()
+    shares(q, how).into_iter().map(whole).collect()
 }
 
 /// The same, by a lattice fine enough to stand for the exact value.

@@ -11,19 +11,27 @@ use raybook::math::{basis::Basis, dir3::Dir3};
 use raybook::sample::hemisphere;
 use raybook_workbook::exercises::ch17_rendering_equation::ReflectedRadiance;
 use std::f32::consts::{PI, TAU};
+use std::sync::LazyLock;
 
 /// The integral's cells from the horizon up, and round the normal.
 const RINGS: u32 = 48;
 const SECTORS: u32 = 40;
 
+/// The middles of the cells, around +z: an explanation is tried by a thousand integrals, which share them.
+static MIDDLES: LazyLock<Vec<Vec3>> = LazyLock::new(|| {
+    let middle = |i: u32| {
+        let z = ((i / SECTORS) as f32 + 0.5) / RINGS as f32;
+        at_height(z, TAU * ((i % SECTORS) as f32 + 0.5) / SECTORS as f32)
+    };
+    (0..RINGS * SECTORS).map(middle).collect()
+});
+
 /// ∫ g dω over the hemisphere around the normal, of several g, by the middles of cells of equal solid angle.
 pub(super) fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N]) -> [Rgb; N] {
     let basis = Basis::around(normal);
     let mut sums = [Rgb::BLACK; N];
-    for i in 0..RINGS * SECTORS {
-        let z = ((i / SECTORS) as f32 + 0.5) / RINGS as f32;
-        let phi = TAU * ((i % SECTORS) as f32 + 0.5) / SECTORS as f32;
-        let d = Dir3::new_or(basis.to_world(at_height(z, phi)), normal);
+    for middle in MIDDLES.iter() {
+        let d = Dir3::new_or(basis.to_world(*middle), normal);
         for (sum, value) in sums.iter_mut().zip(g(d)) {
             *sum += value * (TAU / (RINGS * SECTORS) as f32);
         }
@@ -31,27 +39,43 @@ pub(super) fn integral<const N: usize>(normal: Dir3, g: impl Fn(Dir3) -> [Rgb; N
     sums
 }
 
-/// What is integrated: the BRDF, the light, and a weight, which is the density of the directions that are chosen over that by which is divided.
+/// What is integrated: the parts of the BRDF, the light, and weights.
 #[derive(Clone, Copy)]
 pub(super) struct How {
-    pub(super) brdf: fn(&ReflectedRadiance, Dir3) -> Rgb,
+    /// A factor of the matte part.
+    pub(super) matte: f32,
+    /// A factor of the highlight.
+    pub(super) gloss: fn(n: f32) -> f32,
+    /// The cosine of the highlight to the power of its exponent.
+    pub(super) shine: fn(&ReflectedRadiance, Dir3) -> f32,
     pub(super) sky: fn(&ReflectedRadiance, Dir3) -> Rgb,
-    pub(super) weight: fn(&ReflectedRadiance, Dir3) -> f32,
+    /// Each is the density of the directions that are chosen over that by which is divided.
+    pub(super) weights: [Weight; 2],
 }
 
-/// ∫ f L_i cos θ · weight dω, as a wrong estimate would have it in the mean: with a change.
+/// What makes a direction count more than it should, or less.
+pub(super) type Weight = fn(&ReflectedRadiance, Dir3) -> f32;
+
+/// ∫ f L_i cos θ · weights dω, as a wrong estimate would have it in the mean: with a change.
 pub(super) fn integrated(q: &ReflectedRadiance, change: impl FnOnce(&mut How)) -> Rgb {
     let right = How {
-        brdf: |q, d| q.brdf().value(q.normal, q.view, d),
+        matte: 1.0,
+        gloss: |_| 1.0,
+        shine: |q, d| d.dot(*mirrored(q)).max(0.0).powf(q.exponent),
         sky: ReflectedRadiance::sky,
-        weight: |_, _| 1.0,
+        weights: [|_, _| 1.0; 2],
     };
-    whole(q, changed(right, change))
+    whole(q, &changed(right, change))
 }
 
-fn whole(q: &ReflectedRadiance, How { brdf, sky, weight }: How) -> Rgb {
+fn whole(q: &ReflectedRadiance, how: &How) -> Rgb {
+    let n = q.exponent;
+    let matte = q.diffuse * (how.matte / PI);
+    let gloss = q.specular * ((how.gloss)(n) * (n + 2.0) / TAU);
     let [sum] = integral(q.normal, |d| {
-        [brdf(q, d) * sky(q, d) * d.dot(*q.normal) * weight(q, d)]
+        let [one, other] = how.weights.map(|weight| weight(q, d));
+        let brdf = matte + gloss * (how.shine)(q, d);
+        [brdf * (how.sky)(q, d) * (cosine(q, d) * one * other)]
     });
     sum
 }
@@ -63,9 +87,9 @@ pub(super) fn by_own_density(q: &ReflectedRadiance, d: Dir3) -> f32 {
     if is_reached { 1.0 } else { 0.5 }
 }
 
-/// The same with a weight.
-pub(super) fn estimated(q: &ReflectedRadiance, weight: fn(&ReflectedRadiance, Dir3) -> f32) -> Rgb {
-    integrated(q, |how| how.weight = weight)
+/// The integral with a weight, or with one more.
+pub(super) fn estimated(q: &ReflectedRadiance, weight: Weight) -> Rgb {
+    integrated(q, |how| how.weights = [weight, how.weights[0]])
 }
 
 /// The same with another light.
@@ -190,14 +214,6 @@ pub(super) fn half_sphere(axis: Vec3, d: Dir3) -> f32 {
     } else {
         0.0
     }
-}
-
-/// The BRDF with factors before its matte part and before its highlight.
-pub(super) fn brdf_by(q: &ReflectedRadiance, d: Dir3, matte: f32, gloss: f32) -> Rgb {
-    let mut brdf = q.brdf();
-    brdf.diffuse = brdf.diffuse * matte;
-    brdf.specular = brdf.specular * gloss;
-    brdf.value(q.normal, q.view, d)
 }
 
 /// What the highlight's directions below the surface bring with a weight, if their cosine counts as positive and the BRDF goes on

@@ -3,6 +3,7 @@
 
 use super::evidence::Evidence;
 use super::fit::Answers;
+use super::search::called;
 use crate::examine::{Examiner, visible_rng};
 use crate::layout::{layout, parts};
 use rand::RngExt;
@@ -18,6 +19,9 @@ const FEW: usize = 6;
 /// How often a field is moved with others: a ray that is turned leaves the plane between two cells, which it need not if only its origin is
 /// moved.
 const SOME: f64 = 0.5;
+
+/// Tries of moving a question's last digits, to see whether the right answer stays right.
+const BESIDE: usize = 4;
 
 /// By how much a question's numbers are moved at most, as a share of the largest.
 const LAST_DIGITS: f64 = 1e-6;
@@ -48,6 +52,10 @@ pub fn decide(
     let mut ties = 0;
     for k in other {
         let item = &evidence.items[k];
+        // Where rounding would make a right answer wrong, numbers are chosen so that it decides nothing.
+        if !is_settled(evidence.examiner, &item.question, rng) {
+            continue;
+        }
         let next_to = |_| beside(evidence.examiner, &item.question, SOME, rng);
         let next_to: Vec<_> = (0..TRIES).map(next_to).collect();
         let tries: Vec<_> = next_to.iter().map(|next| answer(next)).collect();
@@ -87,4 +95,18 @@ pub fn beside(
         }
     }
     moved
+}
+
+/// Whether the right answer stays right if the question's round numbers, too, differ in their last digits: not where a ray runs between two
+/// cells, and rounding decides through which of them it goes.
+pub fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool {
+    let answer = |question: &[f64]| called(examiner.asked(), question);
+    let golden = answer(question);
+    let is_right = |golden: &[f64], answer: &[f64]| examiner.compare(question, golden, answer);
+    (0..BESIDE).all(|_| {
+        let both = golden
+            .as_ref()
+            .zip(answer(&beside(examiner, question, 1.0, rng)));
+        both.is_some_and(|(golden, answer)| is_right(golden, &answer).is_ok())
+    })
 }

@@ -113,6 +113,16 @@ impl Graded for BoxClip {
             },
         },
         Mistake {
+            name: "compares the entry and the exit of each slab with the ends of the interval, not with those of what is left",
+            hint: "The first slab leaves 2 to 9, and the second one is entered at 1: where does what is left begin?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.enter = |entry, near, start| if near > start { near } else { entry };
+                    how.leave = |exit, far, end| if far < end { far } else { exit };
+                })
+            },
+        },
+        Mistake {
             name: "keeps the latest of the exits, and has a case of its own for a parallel ray",
             hint: "Once the ray has left one slab, is it still in the box?",
             answer: |q| clipped(q, |how| how.leave = |exit, far, _| exit.max(far)),

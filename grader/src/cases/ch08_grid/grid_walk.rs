@@ -13,7 +13,8 @@ use raybook_chapters::kit::palette::viridis;
 use raybook_workbook::exercises::ch08_grid::{GridWalk, Visit};
 use walks::{
     ADDING, Adding, added, ahead, beyond, by_distance, by_layers, by_middles, in_front, in_lattice,
-    nearest, numbered, stuck, student, walked, without_xy, without_xz, without_yz, z_before_y,
+    nearest, numbered, stuck, student, walked, without_xy, without_xz, without_yz, x_again,
+    z_before_y,
 };
 
 impl Graded for GridWalk {
@@ -457,6 +458,16 @@ impl Graded for GridWalk {
             name: "takes z wherever it comes before y, also where x comes first, as far as the lattice reaches",
             hint: "The next planes are at 1 along x, at 3 along y and at 2 along z: which axis do your conditions choose?",
             answer: |q| in_lattice(q, |next| Some(z_before_y(next))),
+        },
+        Mistake {
+            name: "compares y with x again, and never with z",
+            hint: "The next planes are at 4 along x, at 3 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| student(q, start, in_front, |next| vec![x_again(next)]),
+        },
+        Mistake {
+            name: "compares y with x again, and never with z, as far as the lattice reaches",
+            hint: "The next planes are at 4 along x, at 3 along y and at 2 along z: which axis do your conditions choose?",
+            answer: |q| in_lattice(q, |next| Some(x_again(next))),
         },
         Mistake {
             name: "compares x with z and y with z, but never x with y",

@@ -148,6 +148,18 @@ impl Graded for VoxelsOfTriangle {
             answer: |q| found(q, |how| how.meets = hold_a_corner),
         },
         Mistake {
+            name: "takes a cell's extent along x for the way to its upper plane along every axis",
+            hint: "A cell is 1 m wide and 2 m high: where is its upper side?",
+            answer: |q| {
+                found(q, |how| {
+                    how.meets = |q, bounds| {
+                        let max = bounds.max - q.cell + q.cell.x;
+                        triangle_meets_box(&corners(q), &Aabb { max, ..*bounds })
+                    };
+                })
+            },
+        },
+        Mistake {
             name: "takes all cells of the bounding box that the triangle's plane cuts",
             hint: "The plane goes on beyond the triangle's edges: along which directions can you tell that a box lies past an edge?",
             answer: |q| around(q, |how| how.meets = plane_cuts),

@@ -374,6 +374,19 @@ impl Graded for RefineCell {
             },
         },
         Mistake {
+            name: "counts only the shapes that lie within the cell as a whole",
+            hint: "A shape that reaches into the next coarse cell reaches into this one, too: is it one of this cell's shapes?",
+            answer: |q| {
+                let bounds = Aabb::new(q.min, q.max);
+                let is_inside =
+                    |shape: &&Corners| bounds.contains(shape.min) && bounds.contains(shape.max);
+                match q.shapes.iter().filter(is_inside).count() {
+                    0 => cut(q, UVec3::ZERO),
+                    count => cut_for(q, q.max - q.min, count, 255),
+                }
+            },
+        },
+        Mistake {
             name: "cuts every axis into equally many fine cells",
             hint: "A cell is twice as long as it is wide, and its fine cells are about cubes: are there as many along both sides?",
             answer: |q| cut_for(q, Vec3::ONE, q.shapes.len(), 255),

@@ -287,6 +287,18 @@ impl Graded for TwoLevelWalk {
             answer: |q| looked_up(q, [along_x, along_x], AtEmpty::Ends),
         },
         Mistake {
+            name: "goes through the row of all coarse cells, and stops at the first empty one",
+            hint: "In an empty coarse cell there is nothing to visit: what comes behind it in the row?",
+            answer: |q| {
+                let cuts = q.levels().cuts;
+                let mut empty = cuts.iter().filter(|cut| cut.resolution.x == 0);
+                let end = empty.next().map_or(u32::MAX, |cut| cut.first);
+                let mut places = TwoLevelWalk::right(q);
+                places.retain(|place| *place < end);
+                places
+            },
+        },
+        Mistake {
             name: "looks up the coarse cells with y and z exchanged",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
             answer: |q| {

@@ -393,6 +393,15 @@ impl Graded for OctreeBuild {
             },
         },
         Mistake {
+            name: "compares what a cut makes with the copies that all shapes may have, not those of the cell",
+            hint: "Of the scene's hundred shapes five are in the cell: how many names may its children have, if the limit is 2?",
+            answer: |q| {
+                built(q, |how| {
+                    how.allowed = |q, copies, _| copies * q.shapes.len() as f32
+                })
+            },
+        },
+        Mistake {
             name: "allows half as many copies as the limit does",
             hint: "A cell has n shapes: how many names may all leaves in this cell have together?",
             answer: |q| Self::misread(q, |q| q.copies *= 0.5),

@@ -14,8 +14,8 @@ use raybook::inside::octree::{Kind, child_cell};
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray, slab};
 use raybook_workbook::exercises::ch10_octree::OctreeWalk;
 use walks::{
-    below, chosen, descend, ends_only, fill_empty_leaves, in_turn, levels, met, mirror, missed,
-    nearest_only, numbered, octant, ordered, walked,
+    below, chosen, descend, down, ends_only, fill_empty_leaves, in_turn, levels, met, mirror,
+    missed, nearest_only, numbered, octant, ordered, walked,
 };
 
 /// The leaves' cells by the nodes' numbers, and which nodes are leaves that are not empty; empty boxes for inner nodes.
@@ -250,6 +250,21 @@ impl Graded for OctreeWalk {
             name: "turns the order of all children round where the ray moves down along any axis",
             hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
             answer: |q| ordered(q, |d| if d.iter().any(|d| *d < 0.0) { 7 } else { 0 }),
+        },
+        Mistake {
+            name: "does not turn the order of the children round along x",
+            hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along x only?",
+            answer: |q| ordered(q, |d| down(d) & 0b110),
+        },
+        Mistake {
+            name: "does not turn the order of the children round along y",
+            hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along y only?",
+            answer: |q| ordered(q, |d| down(d) & 0b101),
+        },
+        Mistake {
+            name: "does not turn the order of the children round along z",
+            hint: "Each axis has a bit of its own: which of them do you turn for a ray that moves down along z only?",
+            answer: |q| ordered(q, |d| down(d) & 0b011),
         },
         Mistake {
             name: "exchanges the bits of x and z in the order of the children",

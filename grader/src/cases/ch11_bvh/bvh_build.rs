@@ -416,6 +416,27 @@ impl Graded for BvhBuild {
             answer: |q| built(q, |how| how.axes = |_, _, _| 0..1),
         },
         Mistake {
+            name: "tries cuts along x and y only",
+            hint: "Two rows of boxes, one behind the other: along which axis would you cut, and do you try it?",
+            answer: |q| built(q, |how| how.axes = |_, _, _| 0..2),
+        },
+        Mistake {
+            name: "gives a branch the number of the second of its two children, which stand side by side",
+            hint: "Both children stand side by side: which of them stands at the place that you name?",
+            answer: |q| {
+                built(q, |how| {
+                    how.numbered = |mut tree| {
+                        let is_branch = |node: &&mut NodeRow| node.count == 0;
+                        let some = !tree.order.is_empty();
+                        for branch in tree.nodes.iter_mut().filter(is_branch).filter(|_| some) {
+                            branch.first += 1;
+                        }
+                        tree
+                    };
+                })
+            },
+        },
+        Mistake {
             name: "tries cuts along x only, and makes a leaf of all that it can hold",
             hint: "Two rows of boxes, one above the other: along which axis would you cut, and do you try it?",
             answer: |q| of_full_leaves(q, |how| how.axes = |_, _, _| 0..1),

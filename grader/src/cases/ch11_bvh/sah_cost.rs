@@ -111,6 +111,14 @@ impl Graded for SahCost {
             answer: |q| SahCost::right(q) - q.nodes.first().map_or(0.0, |n| node_price(q, n)),
         },
         Mistake {
+            name: "leaves out the cost of opening the root",
+            hint: "Every ray that meets the root's box opens the root: where is that counted?",
+            answer: |q| {
+                let opened = q.nodes.first().filter(|root| root.count == 0);
+                SahCost::right(q) - opened.map_or(0.0, |_| q.branch)
+            },
+        },
+        Mistake {
             name: "weighs every node alike, whatever its area",
             hint: "Do as many rays meet a small box as a large one?",
             answer: |q| measured(q, |_| 1.0),

@@ -5,8 +5,8 @@ mod choices;
 use super::{area, around, center, crowd, heaps, no_dearer, whole_less_left};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample, traits};
 use choices::{
-    between_buckets, cheapest, cut_with, fewer_faces, least, longest, once, sorted_again, split,
-    sum,
+    between_buckets, cheapest, cut_with, fewer_faces, first_best, least, longest, once,
+    sorted_again, split, sum,
 };
 use glam::Vec3;
 use raybook::math::{aabb::Aabb, pcg::Pcg};
@@ -141,6 +141,11 @@ impl Graded for SahSplit {
     })];
 
     const MISTAKES: &'static [Mistake<Self>] = &[
+        Mistake {
+            name: "stops along an axis at the first cut that is no better than the best so far",
+            hint: "The cost rises from one cut to the next: may it fall again behind that?",
+            answer: first_best,
+        },
         Mistake {
             name: "returns the boxes on the right of the cut",
             hint: "Which end of the sorted row is the left one: the one with the least coordinates, or the other?",

@@ -7,13 +7,14 @@
 mod suspects;
 
 use super::evidence::Evidence;
-use super::search::called;
-use super::ties::beside;
+use super::ties::is_settled;
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
+use crate::layout::{layout, parts};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
+use raybook_workbook::kind::Kind;
 use std::collections::BTreeSet;
 use std::iter;
 use suspects::{HALF, Suspect, suspects};
@@ -44,9 +45,6 @@ const BY_CHANCE: usize = 1;
 
 /// The share of all wrong answers that two mistakes explain together.
 const NEARLY_ALL: f64 = 0.95;
-
-/// Tries of moving a question's last digits.
-const BESIDE: usize = 4;
 
 /// Rounds of random cases that are asked where answers are compared by their traits.
 const ROUNDS: usize = 3;
@@ -225,7 +223,7 @@ fn names(told: &Diagnosis) -> Vec<&str> {
 }
 
 /// Fair questions on which the first suspect shows, and which tell it from the others, and some on which it does not show: random ones,
-/// and such as are near to those whose wrong answers it explains.
+/// and such as are near to those whose wrong answers it explains, or are these on another scale.
 fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> Vec<Case> {
     let Some((first, others)) = suspects.split_first() else {
         return Vec::new();
@@ -244,9 +242,11 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     };
     let (mut shown, mut hidden) = (0, 0);
     let mut told_from = vec![0; others.len()];
-    let mut cases = Vec::new();
+    let mut cases: Vec<Case> = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
-        let question = match explained.get(i / 2 % explained.len().max(1)) {
+        let is_scaled = i % 4 == 3 && !explained.is_empty();
+        let question = match explained.get(i / 4 % explained.len().max(1)) {
+            Some(wrong) if is_scaled => scaled(examiner, wrong, rng),
             Some(wrong) if i % 2 == 1 => near(wrong, rng),
             _ => examiner.random(rng),
         };
@@ -265,10 +265,17 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
         let is_wanted = !shows || tells || shown < least;
+        // What rounding decides, it decides in a scaled question as in the one that was asked.
         let is_fair = |rng: &mut Pcg| {
-            is_stable(examiner, &question, rng) && is_settled(examiner, &question, rng)
+            is_scaled || is_stable(examiner, &question, rng) && is_settled(examiner, &question, rng)
         };
         if !is_wanted || !is_fair(rng) {
+            continue;
+        }
+        let Ok(case) = examiner.case("a further question", &question) else {
+            continue;
+        };
+        if is_scaled && cases.iter().any(|other| other.question == case.question) {
             continue;
         }
         if shows {
@@ -279,7 +286,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         } else {
             hidden += 1;
         }
-        cases.extend(examiner.case("a further question", &question));
+        cases.push(case);
         let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
         if shown >= least && hidden == HIDDEN && are_told {
             break;
@@ -300,16 +307,19 @@ fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     moved.collect()
 }
 
-/// Whether the right answer stays right if the question's round numbers, too, differ in their last digits: not where a ray runs between two
-/// cells, and rounding decides through which of them it goes.
-fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool {
-    let answer = |question: &[f64]| called(examiner.asked(), question);
-    let golden = answer(question);
-    let is_right = |golden: &[f64], answer: &[f64]| examiner.compare(question, golden, answer);
-    (0..BESIDE).all(|_| {
-        let both = golden
-            .as_ref()
-            .zip(answer(&beside(examiner, question, 1.0, rng)));
-        both.is_some_and(|(golden, answer)| is_right(golden, &answer).is_ok())
-    })
+/// A question whose lengths, and all other numbers that are neither whole nor of a direction, are a power of two times as large: no digit
+/// changes, and what is equal stays equal, such as a discriminant and 0.
+fn scaled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+    /// The largest power, and the smallest.
+    const POWER: i32 = 5;
+    let factor = f64::from(rng.random_range(-POWER..=POWER)).exp2();
+    let kind = examiner.asked().question;
+    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
+    let mut scaled = question.to_vec();
+    for leaf in layout(kind, question).leaves {
+        if !matches!(kinds[leaf.part], Kind::Whole | Kind::Direction) {
+            scaled[leaf.range()].iter_mut().for_each(|v| *v *= factor);
+        }
+    }
+    scaled
 }

@@ -275,3 +275,14 @@ pub(super) fn without_yz([x, y, z]: [f32; 3]) -> usize {
 pub(super) fn z_before_y([x, y, z]: [f32; 3]) -> usize {
     if z <= y { 2 } else { usize::from(x >= y) }
 }
+
+/// The same, if y is compared with x again, and never with z.
+pub(super) fn x_again([x, y, z]: [f32; 3]) -> usize {
+    if x <= y && x <= z {
+        0
+    } else if y <= x {
+        1
+    } else {
+        2
+    }
+}

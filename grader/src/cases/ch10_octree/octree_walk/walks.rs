@@ -48,7 +48,13 @@ pub(super) fn ordered(q: &OctreeWalk, turned: fn([f32; 3]) -> u32) -> Vec<u32> {
     in_turn(q, turned(q.ray.direction.to_array()))
 }
 
-/// The same, from the bits themselves.
+/// The bits of the axes along which the ray moves down: those that are rightly turned.
+pub(super) fn down(direction: [f32; 3]) -> u32 {
+    let bits = direction.map(|d| u32::from(d < 0.0));
+    bits[0] | bits[1] << 1 | bits[2] << 2
+}
+
+/// The same as [`ordered`], from the bits themselves.
 pub(super) fn in_turn(q: &OctreeWalk, turned: u32) -> Vec<u32> {
     let right = OctreeWalk::right(q);
     let mut found = Vec::new();

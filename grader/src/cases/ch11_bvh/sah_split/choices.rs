@@ -92,6 +92,25 @@ pub(super) fn cheapest(
     best.map_or(Vec::new(), |(_, left)| left)
 }
 
+/// The left side of the best cut of those that are looked at, if along each axis the first one that is no better than the best so far ends the
+/// search.
+pub(super) fn first_best(q: &SahSplit) -> Vec<u32> {
+    let mut best = (f32::INFINITY, Vec::new());
+    let mut ended = None;
+    for (axis, [left, right]) in cuts(&q.boxes, center) {
+        let cost = sah_of(q, &left) + sah_of(q, &right);
+        if ended == Some(axis) {
+            continue;
+        }
+        if cost < best.0 {
+            best = (cost, left);
+        } else {
+            ended = Some(axis);
+        }
+    }
+    best.1
+}
+
 /// As many boxes as are on the left of the cheapest cut, of a row that is sorted again along each axis: in the order of the last.
 pub(super) fn sorted_again(q: &SahSplit) -> Vec<u32> {
     let mut row: Vec<_> = (0..q.boxes.len() as u32).collect();

@@ -6,7 +6,7 @@ mod misread;
 
 use crate::together::Bounds;
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample, traits};
-use fractions::{FINE, exact, finely, sampled, seen, to_the_corners};
+use fractions::{FINE, exact, finely, hides, sampled, seen, to_the_corners};
 use glam::{Vec2, Vec3, vec3};
 use misread::{by_balls, less_each, past_each, turned};
 use rand::RngExt;
@@ -37,13 +37,10 @@ impl Graded for VisibleFraction {
         let balls = (0..3).map(|i| Ball {
             center: vec3(
                 sample::number(rng, -1.0, 1.0),
-                // The third is above the light or below the points, where it is in nobody's way.
+                // The third is above the light or below the points, where it is in nobody's way, or behind the light and reaches through it.
                 if i == 2 {
-                    if rng.random_bool(0.5) {
-                        height + 1.5
-                    } else {
-                        -1.5
-                    }
+                    let behind = [height + 1.5, -1.5, height + 0.2];
+                    behind[rng.random_range(0..behind.len())]
                 } else {
                     sample::number(rng, 0.9, 0.7 * height)
                 },
@@ -446,6 +443,42 @@ impl Graded for VisibleFraction {
             name: "takes the light's corner for its middle, along b",
             hint: "From where to where must your numbers go, so that the corner and the opposite corner are their ends?",
             answer: |q| sampled(q, |how| how.along[1] = |u| u - 0.5),
+        },
+        Mistake {
+            name: "leaves out a ball whose middle is farther away than the place on the light",
+            hint: "A ball's middle is just behind the light: may its surface be before it?",
+            answer: |q| {
+                finely(q, |how| {
+                    how.blocks = |ball, from, r, within| {
+                        let is_nearer = from.distance(ball.center) <= r.length();
+                        is_nearer && hides(ball, from, r, within)
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out a ball whose middle is not beside the way, but before its beginning or behind its end",
+            hint: "A ball's middle is just behind the light: may its surface be before it?",
+            answer: |q| {
+                finely(q, |how| {
+                    how.blocks = |ball, from, r, within| {
+                        let share = (ball.center - from).dot(r) / r.length_squared();
+                        (0.0..=1.0).contains(&share) && hides(ball, from, r, within)
+                    };
+                })
+            },
+        },
+        Mistake {
+            name: "leaves out a ball in which the place on the light is",
+            hint: "A place on the light is inside a ball: can it be seen from outside of the ball?",
+            answer: |q| {
+                finely(q, |how| {
+                    how.blocks = |ball, from, r, within| {
+                        let is_outside = ball.center.distance(from + r) >= ball.radius;
+                        is_outside && hides(ball, from, r, within)
+                    };
+                })
+            },
         },
         Mistake {
             name: "takes twice the square of a ball's radius for its square",

@@ -59,14 +59,17 @@ const WELL: How = How {
     along: [|u| u; 2],
     begin: 0.0,
     end: |distance| distance,
-    blocks: |ball, from, r, within| {
-        Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), within))
-    },
+    blocks: hides,
     weight: |_, _| 1.0,
     count_from: 0.0,
     taken: |samples| samples,
     divisor: |samples| samples,
 };
+
+/// Whether a ball is in the way `from` a point along a vector.
+pub(super) fn hides(ball: &Sphere, from: Vec3, r: Vec3, within: Interval) -> bool {
+    Dir3::new(r).is_none_or(|d| ball.blocks(&Ray::new(from, d), within))
+}
 
 /// The fractions, rightly but for what is changed, by a lattice in place of random numbers.
 pub(super) fn sampled(q: &VisibleFraction, change: impl FnOnce(&mut How)) -> Vec<f32> {

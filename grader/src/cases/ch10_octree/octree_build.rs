@@ -397,7 +397,7 @@ impl Graded for OctreeBuild {
             hint: "Of the scene's hundred shapes five are in the cell: how many names may its children have, if the limit is 2?",
             answer: |q| {
                 built(q, |how| {
-                    how.allowed = |q, copies, _| copies * q.shapes.len() as f32
+                    how.allowed = |q, copies, _| copies * q.shapes.len() as f32;
                 })
             },
         },

@@ -52,16 +52,18 @@ pub fn decide(
     let mut ties = 0;
     for k in other {
         let item = &evidence.items[k];
-        // Where rounding would make a right answer wrong, numbers are chosen so that it decides nothing.
-        if !is_settled(evidence.examiner, &item.question, rng) {
-            continue;
-        }
         let next_to = |_| beside(evidence.examiner, &item.question, SOME, rng);
         let next_to: Vec<_> = (0..TRIES).map(next_to).collect();
+        // Where rounding would make a right answer wrong, numbers are chosen so that it decides nothing.
+        if !stays_right(evidence.examiner, &item.question, &next_to) {
+            continue;
+        }
         let tries: Vec<_> = next_to.iter().map(|next| answer(next)).collect();
         let tie = match tries.iter().position(|tie| gives(k, tie)) {
             Some(at) => tries[at].clone(),
-            None if evidence.differ(item, &tries) => Some(item.raw.clone()),
+            None if is_alike(&item.raw, &tries) && evidence.differ(item, &tries) => {
+                Some(item.raw.clone())
+            }
             None => continue,
         };
         answers[k] = tie;
@@ -97,16 +99,26 @@ pub fn beside(
     moved
 }
 
+/// Whether an answer has as many numbers as one of these: what rounding decides is mostly a number, not whether there is an answer.
+fn is_alike(answer: &[f64], others: &[Option<Vec<f64>>]) -> bool {
+    let mut others = others.iter().flatten();
+    others.any(|other| other.len() == answer.len())
+}
+
 /// Whether the right answer stays right if the question's round numbers, too, differ in their last digits: not where a ray runs between two
 /// cells, and rounding decides through which of them it goes.
 pub fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool {
+    let next_to = |_| beside(examiner, question, 1.0, rng);
+    let next_to: Vec<_> = (0..BESIDE).map(next_to).collect();
+    stays_right(examiner, question, &next_to)
+}
+
+/// Whether the right answers to questions next to one are right answers to that one.
+fn stays_right(examiner: &dyn Examiner, question: &[f64], next_to: &[Vec<f64>]) -> bool {
     let answer = |question: &[f64]| called(examiner.asked(), question);
     let golden = answer(question);
-    let is_right = |golden: &[f64], answer: &[f64]| examiner.compare(question, golden, answer);
-    (0..BESIDE).all(|_| {
-        let both = golden
-            .as_ref()
-            .zip(answer(&beside(examiner, question, 1.0, rng)));
-        both.is_some_and(|(golden, answer)| is_right(golden, &answer).is_ok())
+    next_to.iter().all(|next| {
+        let both = golden.as_ref().zip(answer(next));
+        both.is_some_and(|(golden, answer)| examiner.compare(question, golden, &answer).is_ok())
     })
 }

@@ -166,7 +166,8 @@ impl<'a> Trial<'a> {
         let one = Diagnosis {
             name: first.name.clone(),
             hint: first.hint.clone(),
-            explained: if first.name == self.told.name {
+            // What two explain together, one of them does not.
+            explained: if first.name == self.told.name && second(self.told).is_none() {
                 self.told.explained.max(first.score.explained)
             } else {
                 first.score.explained
@@ -186,6 +187,7 @@ impl<'a> Trial<'a> {
     }
 
     /// What is told of a mistake for certain, and of another one with it, beside what there is to see of it, and what is told of other answers.
+    /// Where two were told and one of them is certain, the other one is told of the answers that are left.
     fn convicted(&self, one: &Diagnosis, also: Option<&Diagnosis>) -> Diagnosis {
         let sure = |told: &Diagnosis| Diagnosis {
             certain: true,
@@ -201,8 +203,19 @@ impl<'a> Trial<'a> {
             Beside::Together | Beside::Instead => false,
         };
         let kept = self.told.also.iter().filter(is_kept).cloned();
+        let rest = self.told.explained.saturating_sub(one.explained);
+        let is_alone = one.name == self.told.name && also.is_none() && rest > 0;
+        let perhaps = second(self.told)
+            .filter(|_| is_alone)
+            .map(|told| Diagnosis {
+                certain: false,
+                explained: rest,
+                beside: Beside::Apart,
+                also: Vec::new(),
+                ..told.clone()
+            });
         Diagnosis {
-            also: also.map(sure).into_iter().chain(kept).collect(),
+            also: also.map(sure).or(perhaps).into_iter().chain(kept).collect(),
             ..sure(one)
         }
     }

@@ -257,7 +257,8 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     let mut told_from = vec![0; others.len()];
     let mut cases: Vec<Case> = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
-        let is_scaled = i % 4 == 3 && !explained.is_empty();
+        // On another scale, one question is hardly more than itself: guesses, of which there are many, need other questions.
+        let is_scaled = i % 4 == 3 && !first.is_guess && !explained.is_empty();
         let question = match explained.get(i / 4 % explained.len().max(1)) {
             Some(wrong) if is_scaled => scaled(examiner, wrong, rng),
             Some(wrong) if i % 2 == 1 => near(wrong, rng),

@@ -9,6 +9,7 @@ use crate::layout::{layout, parts};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::kind::Kind;
+use std::ops::Range;
 
 /// Questions next to one that are tried: of several numbers that rounding decides, each way of deciding should come.
 const TRIES: usize = 16;
@@ -80,23 +81,33 @@ pub fn beside(
     probability: f64,
     rng: &mut Pcg,
 ) -> Vec<f64> {
-    let kind = examiner.asked().question;
-    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
-    let mut leaves = layout(kind, question).leaves;
     // Nor does a whole number tell how large the others are: a seed may be four billion.
-    leaves.retain(|leaf| !matches!(kinds[leaf.part], Kind::Whole));
-    let sizes = leaves.iter().flat_map(|leaf| &question[leaf.range()]);
+    let ranges = ranges(examiner, question, |kind| !matches!(kind, Kind::Whole));
+    let sizes = ranges.iter().flat_map(|range| &question[range.clone()]);
     let sizes = sizes.filter(|v| v.is_finite());
     let size = sizes.fold(0.0, |size: f64, v| size.max(v.abs()));
     let mut moved = question.to_vec();
-    for leaf in leaves {
+    for range in ranges {
         if rng.random_bool(probability) {
-            for v in &mut moved[leaf.range()] {
+            for v in &mut moved[range] {
                 *v = f64::from((*v + size * LAST_DIGITS * rng.random_range(-1.0..1.0)) as f32);
             }
         }
     }
     moved
+}
+
+/// Where the numbers of fields of some kinds are in a question.
+pub fn ranges(
+    examiner: &dyn Examiner,
+    question: &[f64],
+    is_one: fn(&Kind) -> bool,
+) -> Vec<Range<usize>> {
+    let kind = examiner.asked().question;
+    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
+    let leaves = layout(kind, question).leaves.into_iter();
+    let some = leaves.filter(|leaf| is_one(kinds[leaf.part]));
+    some.map(|leaf| leaf.range()).collect()
 }
 
 /// Whether an answer has as many numbers as one of these: what rounding decides is mostly a number, not whether there is an answer.

@@ -7,10 +7,9 @@
 mod suspects;
 
 use super::evidence::Evidence;
-use super::ties::is_settled;
+use super::ties::{is_settled, ranges};
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
-use crate::layout::{layout, parts};
 use crate::stable::is_stable;
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
@@ -327,13 +326,10 @@ fn scaled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> 
     /// The largest power, and the smallest.
     const POWER: i32 = 5;
     let factor = f64::from(rng.random_range(-POWER..=POWER)).exp2();
-    let kind = examiner.asked().question;
-    let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
+    let is_scaled = |kind: &Kind| !matches!(kind, Kind::Whole | Kind::Direction);
     let mut scaled = question.to_vec();
-    for leaf in layout(kind, question).leaves {
-        if !matches!(kinds[leaf.part], Kind::Whole | Kind::Direction) {
-            scaled[leaf.range()].iter_mut().for_each(|v| *v *= factor);
-        }
+    for range in ranges(examiner, question, is_scaled) {
+        scaled[range].iter_mut().for_each(|v| *v *= factor);
     }
     scaled
 }

@@ -92,8 +92,7 @@ pub(super) fn cheapest(
     best.map_or(Vec::new(), |(_, left)| left)
 }
 
-/// The left side of the best cut of those that are looked at, if along each axis the first one that is no better than the best so far ends the
-/// search.
+/// The left side of the best cut that is found, if along each axis the search ends at a cut that is no better than the best so far.
 pub(super) fn first_best(q: &SahSplit) -> Vec<u32> {
     let mut best = (f32::INFINITY, Vec::new());
     let mut ended = None;

@@ -12,6 +12,7 @@ use super::slips::{RANK, Slipped, each_slip, slipped};
 use super::{Beside, Diagnosis, MOST, SOME, special};
 use crate::each::{each, found_of_each};
 use distance::{Distance, PROMISING, Traits};
+use std::iter;
 
 /// Of what explains next to all, this share of the distance is left at most.
 const NEAR: f64 = 0.2;
@@ -74,6 +75,14 @@ struct Considered {
 }
 
 impl Considered {
+    /// The names of its mistakes, in the order of the alphabet: two are the same two, whichever is made upon the other.
+    fn names(&self) -> Vec<&str> {
+        let then = self.then.iter().map(|(name, _)| name.as_str());
+        let mut names: Vec<_> = iter::once(self.name.as_str()).chain(then).collect();
+        names.sort_unstable();
+        names
+    }
+
     /// What one answers who makes it, if it is one of the exercise's own, or two of them.
     fn answer(&self, evidence: &Evidence<'_>, item: usize) -> Option<Vec<f64>> {
         let own = |name: &str| evidence.examiner.mistake_called(name);
@@ -260,7 +269,9 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
     };
     let goes_the_same_way =
         then.is_none() && evidence.right_ones_tell() && evidence.goes_the_same_way();
+    let given_by = |one: &Considered| own(&one.name).map_or(0.0, gives);
     let given = own(name).filter(|_| goes_the_same_way).map(gives);
+    let is_given = then.is_none() && !evidence.is_rough() && given_by(best) >= MOST;
     // What leaves nothing leaves nothing to chance.
     let errors = if *rest <= NOTHING * whole.norm() {
         0.0
@@ -271,11 +282,11 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         // A slip that comes exactly as near is the same mistake in other words, and so is, beside one of the exercise's own, all that comes
         // as near but for chance. Where the answers are given to the last digits, who does not give them is no rival.
         let is_the_same = other.rank == SLIP && other.rest == *rest || *rank == 0 && other.rank > 0;
-        let is_given = given.is_some_and(|given| given >= MOST);
-        let gives_less = || own(&other.name).is_some_and(|number| gives(number) < SOME);
+        let gives_less = || own(&other.name).is_some() && given_by(other) < MOST * given_by(best);
         // Of many pairs some come near, but few leave nothing that chance does not leave.
-        let is_worse = then.is_some() && left < EXACT && other.left > EXACT * whole.norm();
-        other.name != *name
+        let most = if then.is_some() { EXACT } else { SURE };
+        let is_worse = left < EXACT && other.left > most * whole.norm();
+        other.names() != best.names()
             && other.rest < 2.0 * rest + 2.0 * errors
             && !is_worse
             && !is_the_same
@@ -297,9 +308,11 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         && SELDOM * unchanged.len() < evidence.wrong
         && rivals.next().is_none()
         && left < SURE
-        && (given >= MOST && then.is_none() || left < EXACT);
+        && (is_given || estimates.is_some() || left < EXACT);
     let explained = evidence.wrong - unchanged.len();
-    let mut diagnosis = best.told(evidence, explained, *rank == 0 && is_alone);
+    // A slip is one of hundreds: it is told for certain if it leaves nothing.
+    let is_one = *rank == 0 || *rank == SLIP && left < EXACT;
+    let mut diagnosis = best.told(evidence, explained, is_one && is_alone);
     let rest = evidence.only(&unchanged);
     let rest = rest.and_then(|rest| search(&rest, readings).filter(|rest| rest.is_cause));
     diagnosis.also.extend(rest.map(|rest| Diagnosis {

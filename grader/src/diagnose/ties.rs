@@ -5,11 +5,10 @@ use super::evidence::Evidence;
 use super::fit::Answers;
 use super::search::called;
 use crate::examine::{Examiner, visible_rng};
-use crate::layout::{layout, parts};
+use crate::layout::{Leaf, layout, parts};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::kind::Kind;
-use std::ops::Range;
 
 /// Questions next to one that are tried: of several numbers that rounding decides, each way of deciding should come.
 const TRIES: usize = 16;
@@ -82,14 +81,14 @@ pub fn beside(
     rng: &mut Pcg,
 ) -> Vec<f64> {
     // Nor does a whole number tell how large the others are: a seed may be four billion.
-    let ranges = ranges(examiner, question, |kind| !matches!(kind, Kind::Whole));
-    let sizes = ranges.iter().flat_map(|range| &question[range.clone()]);
+    let leaves = leaves(examiner, question, |kind| !matches!(kind, Kind::Whole));
+    let sizes = leaves.iter().flat_map(|leaf| &question[leaf.range()]);
     let sizes = sizes.filter(|v| v.is_finite());
     let size = sizes.fold(0.0, |size: f64, v| size.max(v.abs()));
     let mut moved = question.to_vec();
-    for range in ranges {
+    for leaf in leaves {
         if rng.random_bool(probability) {
-            for v in &mut moved[range] {
+            for v in &mut moved[leaf.range()] {
                 *v = f64::from((*v + size * LAST_DIGITS * rng.random_range(-1.0..1.0)) as f32);
             }
         }
@@ -98,16 +97,11 @@ pub fn beside(
 }
 
 /// Where the numbers of fields of some kinds are in a question.
-pub fn ranges(
-    examiner: &dyn Examiner,
-    question: &[f64],
-    is_one: fn(&Kind) -> bool,
-) -> Vec<Range<usize>> {
+pub fn leaves(examiner: &dyn Examiner, question: &[f64], is_one: fn(&Kind) -> bool) -> Vec<Leaf> {
     let kind = examiner.asked().question;
     let kinds: Vec<_> = parts(kind, "").into_iter().map(|part| part.kind).collect();
     let leaves = layout(kind, question).leaves.into_iter();
-    let some = leaves.filter(|leaf| is_one(kinds[leaf.part]));
-    some.map(|leaf| leaf.range()).collect()
+    leaves.filter(|leaf| is_one(kinds[leaf.part])).collect()
 }
 
 /// Whether an answer has as many numbers as one of these: what rounding decides is mostly a number, not whether there is an answer.

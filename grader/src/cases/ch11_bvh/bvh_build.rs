@@ -646,5 +646,10 @@ impl Graded for BvhBuild {
             hint: "After you have tried all three axes: along which of them is your row sorted, and along which was the best cut?",
             answer: |q| of_full_leaves(q, |how| how.place = |_, _, (_, at)| (2, at)),
         },
+        Mistake {
+            name: "ignores how many boxes a leaf may have",
+            hint: "A leaf of ten boxes may be cheaper than any cut: may it stay a leaf, if `most` is four?",
+            answer: |q| built(q, |how| how.fits = |_, _| true),
+        },
     ];
 }

@@ -104,12 +104,17 @@ fn center(row: &BoxRow) -> Vec3 {
 
 /// A cost that may exceed the reference's by some part of it.
 fn no_dearer(what: &str, got: f32, reference: f32, part: f32) -> Verdict {
+    let times = got / reference;
     if got <= reference * (1.0 + part) {
         Ok(())
-    } else {
+    } else if times < 3.0 {
         Err(format!(
             "{what} costs {got:.3}, {:.0} % more than {reference:.3}",
-            100.0 * (got / reference - 1.0)
+            100.0 * (times - 1.0)
+        ))
+    } else {
+        Err(format!(
+            "{what} costs {got:.3}, {times:.0} times as much as {reference:.3}"
         ))
     }
 }

@@ -443,6 +443,17 @@ impl Graded for Lit {
                 })
             },
         },
+        Mistake {
+            name: "compares the square of a distance with the radius, which is not squared",
+            hint: "In which unit is a squared distance, and in which is a radius?",
+            answer: |q| {
+                Self::misread(q, |q| {
+                    for ball in &mut q.spheres {
+                        ball.radius = ball.radius.sqrt();
+                    }
+                })
+            },
+        },
     ];
 }
 

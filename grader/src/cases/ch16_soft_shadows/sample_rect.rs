@@ -284,6 +284,29 @@ impl Graded for SampleRect {
                 spoil_rect(q, |_, chosen| chosen.distance.powi(2) / (area(q) * cosine))
             },
         },
+        Mistake {
+            name: "returns the distance of the light's plane, along its normal, for all points of it",
+            hint: "Only one point of the plane is straight ahead of it: is the way to the others not longer?",
+            answer: |q| {
+                let normal = q.a.cross(q.b).normalize_or_zero();
+                let mut all = SampleRect::right(q)?;
+                for chosen in &mut all {
+                    chosen.distance = (q.at - q.corner).dot(normal);
+                }
+                Some(all)
+            },
+        },
+        Mistake {
+            name: "multiplies the radiance by the density instead of dividing",
+            hint: "A direction that is chosen often must count less: what does your product do?",
+            answer: |q| {
+                let mut all = SampleRect::right(q)?;
+                for chosen in &mut all {
+                    chosen.arriving = q.radiance * chosen.pdf;
+                }
+                Some(all)
+            },
+        },
     ];
 }
 

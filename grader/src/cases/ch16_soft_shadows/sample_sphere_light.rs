@@ -556,5 +556,16 @@ impl Graded for SampleSphereLight {
                 })
             },
         },
+        Mistake {
+            name: "multiplies the radiance by the density instead of dividing",
+            hint: "A direction that is chosen often must count less: what does your product do?",
+            answer: |q| {
+                let mut all = SampleSphereLight::right(q);
+                for chosen in &mut all {
+                    chosen.arriving = q.radiance * chosen.pdf;
+                }
+                all
+            },
+        },
     ];
 }

@@ -264,6 +264,18 @@ impl Graded for GeodesicStep {
                 })
             },
         },
+        Mistake {
+            name: "moves by half the step times the pull, not by half the square of the step",
+            hint: "In which unit is a pull, and in which is a way: how often must it be multiplied by the step?",
+            answer: |q| {
+                stepped(q, |how| {
+                    how.step = |x, v, step, pull| {
+                        let [_, after] = by_slopes(x, v, step, pull, WEIGHTS, 1.0);
+                        [x + step * v + 0.5 * step * pull(x, v), after]
+                    };
+                })
+            },
+        },
     ];
 }
 
@@ -287,9 +299,14 @@ fn bend(name: &str, straight: Vec3, golden: Vec3, got: Vec3, size: f32) -> Verdi
             "the {name} is off by {off:.1e}: this ray should go straight on"
         ));
     }
+    let share = off / bent;
+    let share = if share < 10.0 {
+        format!("{:.0} %", 100.0 * share)
+    } else {
+        format!("{share:.0} times the size")
+    };
     Err(format!(
-        "the {name} is off by {off:.1e}, which is {:.0} % of the bend",
-        100.0 * off / bent
+        "the {name} is off by {off:.1e}, which is {share} of the bend"
     ))
 }
 

@@ -622,6 +622,26 @@ impl Graded for Trace {
             hint: "A ray goes up at 30°, and its y is ½: which of the two numbers does the backdrop's rule take? And which share is seen on the horizon?",
             answer: |q| answer(q, Slip::AngleAboveTheHorizon),
         },
+        Mistake {
+            name: "hits triangles from the front only, with shadow rays too",
+            hint: "Walk round the triangle: is it there when you look from behind? Does it throw a shadow there?",
+            answer: |q| answer(q, Slip::OneSidedTrianglesInShadowsToo),
+        },
+        Mistake {
+            name: "hits planes from the front only",
+            hint: "Look at the plane from its other side: is it there? Which sign has the cosine then?",
+            answer: |q| answer(q, Slip::OneSidedPlanes),
+        },
+        Mistake {
+            name: "hits planes from the front only, with shadow rays too",
+            hint: "Look at the plane from its other side: is it there? Does it throw a shadow there?",
+            answer: |q| answer(q, Slip::OneSidedPlanesInShadowsToo),
+        },
+        Mistake {
+            name: "shows black in mirrors from behind",
+            hint: "The normal may point away from the viewer: does a mirror stop mirroring there?",
+            answer: |q| answer(q, Slip::MirrorsBlackFromBehind),
+        },
     ];
 
     const PICTURES: &'static [Picture<Self>] = &[

@@ -101,6 +101,11 @@ impl<'a> Tracer<'a> {
         };
         let seen = match &object.matter {
             Matter::Phong(phong) => self.phong(phong, &at, -ray.direction, hit.t),
+            Matter::Mirror(_)
+                if self.is(Slip::MirrorsBlackFromBehind) && at.normal.dot(*ray.direction) > 0.0 =>
+            {
+                Rgb::BLACK
+            }
             Matter::Mirror(mirror) => {
                 let mirrored = reflect(ray.direction, normal);
                 self.in_mirror(mirror.share, mirrored, &see)
@@ -204,10 +209,13 @@ impl<'a> Tracer<'a> {
     fn nearest(&self, ray: &Ray) -> Option<(&Object, Hit)> {
         let mut hits = self.scene.objects.iter().filter_map(|object| {
             let hit = self.hit(object, ray, Interval::AHEAD)?;
-            let from_behind = || object.form.surface(ray, &hit).normal.dot(*ray.direction) > 0.0;
-            let triangle = matches!(object.form, Form::Triangle(_));
-            let culled = self.is(Slip::OneSidedTriangles) && triangle && from_behind();
-            (!culled).then_some((object, hit))
+            let is_one_sided = match object.form {
+                Form::Triangle(_) => self.is(Slip::OneSidedTriangles),
+                Form::Plane(_) => self.is(Slip::OneSidedPlanes),
+                Form::Sphere(_) => false,
+            };
+            let is_culled = is_one_sided && is_from_behind(object, ray, &hit);
+            (!is_culled).then_some((object, hit))
         });
         let by_distance = |(_, a): &(_, Hit), (_, b): &(_, Hit)| a.t.total_cmp(&b.t);
         if self.is(Slip::FirstForNearest) {
@@ -249,7 +257,13 @@ impl<'a> Tracer<'a> {
     }
 
     fn hit(&self, object: &Object, ray: &Ray, within: Interval) -> Option<Hit> {
-        let hit = object.form.hit(ray, within);
+        let is_one_sided = match object.form {
+            Form::Triangle(_) => self.is(Slip::OneSidedTrianglesInShadowsToo),
+            Form::Plane(_) => self.is(Slip::OneSidedPlanesInShadowsToo),
+            Form::Sphere(_) => false,
+        };
+        let is_seen = |hit: &Hit| !(is_one_sided && is_from_behind(object, ray, hit));
+        let hit = object.form.hit(ray, within).filter(is_seen);
         match &object.form {
             Form::Triangle(corners) if hit.is_none() && self.is(Slip::Parallelogram) => {
                 // The other half is p1, p1 + p2 − p0, p2, where the first triangle's u and v are 1 − v and u + v.
@@ -415,4 +429,9 @@ impl<'a> Tracer<'a> {
         }
         (phong.diffuse * diffuse + shine) * light.arriving
     }
+}
+
+/// Whether a ray meets a surface from the side to which its normal does not point.
+fn is_from_behind(object: &Object, ray: &Ray, hit: &Hit) -> bool {
+    object.form.surface(ray, hit).normal.dot(*ray.direction) > 0.0
 }

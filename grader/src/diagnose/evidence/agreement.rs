@@ -104,6 +104,9 @@ impl Rest {
     }
 }
 
+/// What explains answers is sharp if it gives this many to the last digits for each one that it does not.
+const NEARLY_ALL: usize = 8;
+
 /// Answers that may differ by more than this share are estimates.
 const ROUGH: f32 = 0.01;
 
@@ -390,7 +393,10 @@ impl Evidence<'_> {
         if score.is_rough && rest.is_as_far_as_right() {
             return None;
         }
-        score.is_doubtful = rest.is_loose(score.is_rough)
+        // Of nearly all answers to the last digits, some others are so, too: round a circle 0 and 1 are the same place.
+        let is_exact = NEARLY_ALL * (score.explained - score.sharp) <= score.explained;
+        let is_loose = rest.is_loose(score.is_rough) && (score.is_rough || !is_exact);
+        score.is_doubtful = is_loose
             || score.is_rough && (score.explained < MANY || rest.leans() || rest.is_large());
         Some(score)
     }

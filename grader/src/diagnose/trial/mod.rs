@@ -7,7 +7,7 @@
 mod suspects;
 
 use super::evidence::Evidence;
-use super::ties::{is_settled, ranges};
+use super::ties::{is_settled, leaves};
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
 use crate::stable::is_stable;
@@ -321,15 +321,21 @@ fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
 }
 
 /// A question whose lengths, and all other numbers that are neither whole nor of a direction, are a power of two times as large: no digit
-/// changes, and what is equal stays equal, such as a discriminant and 0.
+/// changes, and what is equal stays equal, such as a discriminant and 0. Every other time these are the numbers of some fields only: a
+/// ratio that is compared with a number must not grow with it.
 fn scaled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     /// The largest power, and the smallest.
     const POWER: i32 = 5;
     let factor = f64::from(rng.random_range(-POWER..=POWER)).exp2();
     let is_scaled = |kind: &Kind| !matches!(kind, Kind::Whole | Kind::Direction);
+    let leaves = leaves(examiner, question, is_scaled);
+    let mut fields: BTreeSet<usize> = leaves.iter().map(|leaf| leaf.part).collect();
+    if rng.random() {
+        fields.retain(|_| rng.random());
+    }
     let mut scaled = question.to_vec();
-    for range in ranges(examiner, question, is_scaled) {
-        scaled[range].iter_mut().for_each(|v| *v *= factor);
+    for leaf in leaves.iter().filter(|leaf| fields.contains(&leaf.part)) {
+        scaled[leaf.range()].iter_mut().for_each(|v| *v *= factor);
     }
     scaled
 }

@@ -84,9 +84,12 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
     } else if let Some(number) = number {
         let also = second(Beside::Instead).cloned();
         all.extend(suspect(words, false, also, own(examiner, number)));
-    } else if let Some(answer) = guessed(evidence, told) {
-        let also = second(Beside::Instead).cloned();
-        all.extend(suspect(words, true, also, answer));
+    } else {
+        let also = second(Beside::Instead);
+        let guess = |answer| suspect(words, true, also.cloned(), answer);
+        all.extend(guessed(evidence, told).into_iter().find_map(guess));
+    }
+    if all.first().is_some_and(|one| one.is_guess && !one.is_two()) {
         let asked = examiner.asked();
         for reading in misreadings(asked.question, examiner.limits()) {
             let (name, hint) = (reading.name.clone(), reading.hint.clone());
@@ -115,13 +118,9 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
     all
 }
 
-/// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle. Of lists
-/// that chance makes, of which there is none where answers are estimates, two of which one undoes half of the other give the same as a third.
+/// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle.
 fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
     let examiner = evidence.examiner;
-    if !evidence.is_judged() && !evidence.is_rough() {
-        return Vec::new();
-    }
     let upon = |first, second| -> Answer<'a> {
         Box::new(move |question| {
             let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
@@ -217,19 +216,24 @@ fn misread_ways<'a>(examiner: &'a dyn Examiner, two: [&Diagnosis; 2]) -> Vec<Ans
     ways.filter_map(way).collect()
 }
 
-/// What one answers who misreads the question, or goes wrong at a step, as is told.
-fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Option<Answer<'a>> {
+/// What one answers who misreads the question, or goes wrong at a step, as is told: several ways may have a step of that name.
+fn guessed<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Answer<'a>> {
     if let Some(reading) = reading_of(evidence.examiner, told) {
-        return Some(read(evidence.examiner.asked(), reading));
+        return vec![read(evidence.examiner.asked(), reading)];
     }
-    let slip = slip_of(evidence, told)?;
-    Some(Box::new(move |question| slip.answer(question)))
+    let answer = |slip: Slipped| -> Answer<'a> { Box::new(move |question| slip.answer(question)) };
+    slips_of(evidence, told).map(answer).collect()
 }
 
-/// The step that goes wrong as is told.
+/// The steps that go wrong as is told, each of another way.
+fn slips_of(evidence: &Evidence<'_>, told: &Diagnosis) -> impl Iterator<Item = Slipped> {
+    let slips = slipped(evidence).into_iter();
+    slips.filter(|slip| slip.name == told.name && !slip.is_doubtful())
+}
+
+/// The first of them.
 fn slip_of(evidence: &Evidence<'_>, told: &Diagnosis) -> Option<Slipped> {
-    let mut slips = slipped(evidence).into_iter();
-    slips.find(|slip| slip.name == told.name && !slip.is_doubtful())
+    slips_of(evidence, told).next()
 }
 
 /// The way to misread the question that is told.

@@ -271,7 +271,8 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         then.is_none() && evidence.right_ones_tell() && evidence.goes_the_same_way();
     let given_by = |one: &Considered| own(&one.name).map_or(0.0, gives);
     let given = own(name).filter(|_| goes_the_same_way).map(gives);
-    let is_given = then.is_none() && !evidence.is_rough() && given_by(best) >= MOST;
+    let is_given = given.is_some_and(|given| given >= MOST)
+        || then.is_none() && !evidence.is_rough() && given_by(best) >= MOST;
     // What leaves nothing leaves nothing to chance.
     let errors = if *rest <= NOTHING * whole.norm() {
         0.0
@@ -308,10 +309,10 @@ pub fn search(evidence: &Evidence<'_>, readings: Option<&[Misreading]>) -> Optio
         && SELDOM * unchanged.len() < evidence.wrong
         && rivals.next().is_none()
         && left < SURE
-        && (is_given || estimates.is_some() || left < EXACT);
+        && (then.is_none() && given >= MOST || left < EXACT);
     let explained = evidence.wrong - unchanged.len();
-    // A slip is one of hundreds: it is told for certain if it leaves nothing.
-    let is_one = *rank == 0 || *rank == SLIP && left < EXACT;
+    // A slip is one of hundreds, of which one comes near by chance: it is told for certain only if it leaves nothing at all.
+    let is_one = *rank == 0 || *rank == SLIP && *rest <= NOTHING * whole.norm();
     let mut diagnosis = best.told(evidence, explained, is_one && is_alone);
     let rest = evidence.only(&unchanged);
     let rest = rest.and_then(|rest| search(&rest, readings).filter(|rest| rest.is_cause));

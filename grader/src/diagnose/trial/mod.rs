@@ -259,7 +259,15 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         // On another scale, one question is hardly more than itself: guesses, of which there are many, need other questions.
         let is_scaled = i % 4 == 3 && !first.is_guess && !explained.is_empty();
         let question = match explained.get(i / 4 % explained.len().max(1)) {
-            Some(wrong) if is_scaled => scaled(examiner, wrong, rng),
+            Some(wrong) if is_scaled => {
+                let whole = scaled(examiner, wrong, 1.0, rng);
+                let answer = (first.answer)(&whole).filter(|_| examiner.is_sound(&whole));
+                if answer.is_some_and(|answer| !examiner.is_right(&whole, &answer)) {
+                    whole
+                } else {
+                    scaled(examiner, wrong, HALF, rng)
+                }
+            }
             Some(wrong) if i % 2 == 1 => near(wrong, rng),
             _ => examiner.random(rng),
         };
@@ -320,19 +328,17 @@ fn near(question: &[f64], rng: &mut Pcg) -> Vec<f64> {
     moved.collect()
 }
 
-/// A question whose lengths, and all other numbers that are neither whole nor of a direction, are a power of two times as large: no digit
-/// changes, and what is equal stays equal, such as a discriminant and 0. Every other time these are the numbers of some fields only: a
-/// ratio that is compared with a number must not grow with it.
-fn scaled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> Vec<f64> {
+/// A question whose lengths, and all other numbers that are neither whole nor of a direction, are a power of two times as large, those of each
+/// field with this probability: no digit changes, and what is equal stays equal, such as a discriminant and 0. What a ratio is compared with
+/// must not grow with its two numbers, and so some fields stay as they are where all together show nothing.
+fn scaled(examiner: &dyn Examiner, question: &[f64], probability: f64, rng: &mut Pcg) -> Vec<f64> {
     /// The largest power, and the smallest.
     const POWER: i32 = 5;
     let factor = f64::from(rng.random_range(-POWER..=POWER)).exp2();
     let is_scaled = |kind: &Kind| !matches!(kind, Kind::Whole | Kind::Direction);
     let leaves = leaves(examiner, question, is_scaled);
     let mut fields: BTreeSet<usize> = leaves.iter().map(|leaf| leaf.part).collect();
-    if rng.random() {
-        fields.retain(|_| rng.random());
-    }
+    fields.retain(|_| rng.random_bool(probability));
     let mut scaled = question.to_vec();
     for leaf in leaves.iter().filter(|leaf| fields.contains(&leaf.part)) {
         scaled[leaf.range()].iter_mut().for_each(|v| *v *= factor);

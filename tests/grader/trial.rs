@@ -121,6 +121,53 @@ fn two_mistakes_in_the_same_answers_are_both_certain() {
 }
 
 #[test]
+fn two_in_a_structure_are_both_certain_where_one_nearly_explains_all() {
+    let pairs = [
+        (
+            "bvh_closest",
+            [
+                "counts only the triangles that are hit",
+                "opens the first child first, whichever is nearer",
+            ],
+        ),
+        (
+            "octree_build",
+            [
+                "stops one level before the depth allows",
+                "expects a ray to meet each child with probability 1/8, not 1/4",
+            ],
+        ),
+        (
+            "sah_split",
+            [
+                "does not multiply by the number of shapes",
+                "sorts by the least corners",
+            ],
+        ),
+    ];
+    for (exercise, mut both) in pairs {
+        let (examiner, cases, first) = mistake(exercise, both[0]);
+        let (.., second) = mistake(exercise, both[1]);
+        let asked = examiner.asked();
+        let after = tried(examiner, &cases, |case| {
+            let question = asked.read_question(&case.question).expect("a question");
+            let answer = examiner.mistakes_answer(first, second, &question);
+            let (answer, _) = answer.expect("one is made upon the other");
+            judged(examiner, case, row::format(asked.answer.kind, &answer))
+        });
+        let after = after.expect("they have names");
+        let mut also = after.also.iter();
+        let also = also.find(|also| also.beside == Beside::Together);
+        let also = also.unwrap_or_else(|| panic!("one beside the other: {after:?}"));
+        let mut names = [&*after.name, &*also.name];
+        names.sort_unstable();
+        both.sort_unstable();
+        assert_eq!(names, both, "{exercise}");
+        assert!(after.certain && also.certain, "{after:?}");
+    }
+}
+
+#[test]
 fn a_step_that_goes_wrong_beside_a_mistake_is_certain_with_it() {
     let own = "lets the highlight shine through from behind";
     let (examiner, cases, _) = mistake("phong", own);

@@ -34,6 +34,12 @@ pub(super) const DENSITY: f32 = 5e-3;
 /// How many traits an answer has.
 pub(super) const TRAITS: usize = 27;
 
+/// Samples of which each is changed.
+pub(super) fn changed(mut all: Vec<Chosen>, change: impl FnMut(&mut Chosen)) -> Vec<Chosen> {
+    all.iter_mut().for_each(change);
+    all
+}
+
 /// By what mistakes differ: where the samples are in the unit square, their densities by the right ones, and their radiance.
 pub(super) fn traits(
     radiance: f32,

@@ -165,12 +165,8 @@ impl Graded for SampleRect {
             name: "does not divide the radiance by the density",
             hint: "The mean of what arrives must not depend on how the points are chosen.",
             answer: |q| {
-                SampleRect::right(q).map(|mut all| {
-                    for chosen in &mut all {
-                        chosen.arriving = q.radiance;
-                    }
-                    all
-                })
+                let all = Self::right(q)?;
+                Some(chosen::changed(all, |chosen| chosen.arriving = q.radiance))
             },
         },
         Mistake {
@@ -192,11 +188,9 @@ impl Graded for SampleRect {
             name: "divides what arrives by the number of samples, too",
             hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
             answer: |q| {
-                let mut all = SampleRect::right(q)?;
-                for chosen in &mut all {
+                Some(chosen::changed(Self::right(q)?, |chosen| {
                     chosen.arriving /= (q.n * q.n) as f32;
-                }
-                Some(all)
+                }))
             },
         },
         Mistake {
@@ -289,22 +283,18 @@ impl Graded for SampleRect {
             hint: "Only one point of the plane is straight ahead of it: is the way to the others not longer?",
             answer: |q| {
                 let normal = q.a.cross(q.b).normalize_or_zero();
-                let mut all = SampleRect::right(q)?;
-                for chosen in &mut all {
+                Some(chosen::changed(Self::right(q)?, |chosen| {
                     chosen.distance = (q.at - q.corner).dot(normal);
-                }
-                Some(all)
+                }))
             },
         },
         Mistake {
             name: "multiplies the radiance by the density instead of dividing",
             hint: "A direction that is chosen often must count less: what does your product do?",
             answer: |q| {
-                let mut all = SampleRect::right(q)?;
-                for chosen in &mut all {
+                Some(chosen::changed(Self::right(q)?, |chosen| {
                     chosen.arriving = q.radiance * chosen.pdf;
-                }
-                Some(all)
+                }))
             },
         },
     ];

@@ -187,24 +187,20 @@ impl Graded for SampleSphereLight {
             name: "returns the distance of the sphere's far side",
             hint: "Which of the two points where the line meets the sphere is seen?",
             answer: |q| {
-                let mut all = SampleSphereLight::right(q);
-                for chosen in &mut all {
+                chosen::changed(Self::right(q), |chosen| {
                     let middle = (q.center - q.at).dot(chosen.toward);
                     chosen.distance = middle + (middle - chosen.distance).abs();
-                }
-                all
+                })
             },
         },
         Mistake {
             name: "returns the distance of the centre",
             hint: "The light's surface is nearer than its centre.",
             answer: |q| {
-                let mut all = SampleSphereLight::right(q);
                 let distance = q.at.distance(q.center);
-                for chosen in &mut all {
+                chosen::changed(Self::right(q), |chosen| {
                     chosen.distance = distance;
-                }
-                all
+                })
             },
         },
         Mistake {
@@ -375,11 +371,9 @@ impl Graded for SampleSphereLight {
             name: "divides what arrives by the number of samples, too",
             hint: "Each sample stands for the whole light: who takes the mean of them, this function or the one that calls it?",
             answer: |q| {
-                let mut all = Self::right(q);
-                for chosen in &mut all {
+                chosen::changed(Self::right(q), |chosen| {
                     chosen.arriving /= (q.n * q.n) as f32;
-                }
-                all
+                })
             },
         },
         Mistake {
@@ -560,11 +554,9 @@ impl Graded for SampleSphereLight {
             name: "multiplies the radiance by the density instead of dividing",
             hint: "A direction that is chosen often must count less: what does your product do?",
             answer: |q| {
-                let mut all = SampleSphereLight::right(q);
-                for chosen in &mut all {
+                chosen::changed(Self::right(q), |chosen| {
                     chosen.arriving = q.radiance * chosen.pdf;
-                }
-                all
+                })
             },
         },
     ];

@@ -92,7 +92,8 @@ pub(super) fn cheapest(
     best.map_or(Vec::new(), |(_, left)| left)
 }
 
-/// The left side of the best cut that is found, if along each axis the search ends at a cut that is no better than the best so far.
+/// The left side of the cheapest cut of `q.boxes` that is found, if along each axis the search ends at the first cut that is no cheaper than all
+/// before it.
 pub(super) fn first_best(q: &SahSplit) -> Vec<u32> {
     let mut best = (f32::INFINITY, Vec::new());
     let mut ended = None;

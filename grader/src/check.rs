@@ -338,8 +338,11 @@ pub(crate) fn diagnose_outcomes(
     with_panics(diagnose(examiner, &cases, &answers), outcomes, wrong)
 }
 
-/// The cases, and the answer to each, if there is one, with whether it is right.
-pub(crate) fn answered(outcomes: &[Outcome]) -> (Vec<Case>, Vec<(Option<String>, bool)>) {
+/// Cases, and the answer to each, if there is one, with whether it is right.
+pub(crate) type Answered = (Vec<Case>, Vec<(Option<String>, bool)>);
+
+/// The cases of these outcomes, and their answers.
+pub(crate) fn answered(outcomes: &[Outcome]) -> Answered {
     let answered = |outcome: &Outcome| {
         let answer = match &outcome.reply.said {
             Said::Answer(answer) => Some(answer.unescaped().to_owned()),

@@ -48,8 +48,9 @@ fn pixels(examiner: &dyn Examiner) -> Vec<Vec<f64>> {
         .collect()
 }
 
-/// The description of an exercise for people who write it in this file, if that is known.
-pub fn describe(examiner: &dyn Examiner, place: Option<&str>) -> String {
+/// The description of an exercise for people who write it in this file, if that is known. Who writes a whole `program`, and no
+/// function of a workbook that reads the questions, is told how.
+pub fn describe(examiner: &dyn Examiner, place: Option<&str>, program: bool) -> String {
     let described = Described::new(examiner);
     let asked = examiner.asked();
     let name = asked.name;
@@ -85,7 +86,7 @@ pub fn describe(examiner: &dyn Examiner, place: Option<&str>) -> String {
     let limits = limits(examiner, &described.cases);
     lines.extend(limits.iter().map(|limit| format!("  - {limit}")));
     lines.push(String::new());
-    if described.asked.has_infinity() {
+    if program && described.asked.has_infinity() {
         lines.push("  Numbers may be `inf` or `-inf`: in C++ read a word and call `std::strtod`; `std::cin >> x` does not read them.".to_owned());
     }
     if let Some(case) = described.cases.first() {
@@ -101,11 +102,13 @@ pub fn describe(examiner: &dyn Examiner, place: Option<&str>) -> String {
             "  {} cases are visible; `raybook check {name}` asks them.",
             described.cases.len()
         ),
-        format!(
-            "  `raybook exercise {name} --reader python` (or cpp) prints a program that reads them."
-        ),
-        String::new(),
     ]);
+    if program {
+        lines.push(format!(
+            "  `raybook exercise {name} --reader python` (or cpp) prints a program that reads them."
+        ));
+    }
+    lines.push(String::new());
     lines.join("\n")
 }
 

@@ -34,7 +34,7 @@ fn every_field_has_a_kind_and_a_meaning() {
         assert!(fields(&schema["answer"], name) > 0, "{name} has an answer");
         assert!(schema["answer"]["meaning"].is_string(), "{name}");
         assert!(schema["file"].is_string(), "{name} is written somewhere");
-        let text = describe(examiner, None);
+        let text = describe(examiner, None, true);
         let mut lines = text.lines();
         let heading = |line: &str| line.contains("kind") && line.ends_with("meaning and unit");
         assert!(

@@ -159,7 +159,7 @@ impl Check {
                 folder: folder.as_deref().filter(|_| whole),
                 again: &|exercise| self.again(exercise),
                 explain: &|exercise| self.explain(exercise),
-                dress: self.manner.dress(),
+                dress: self.manner.look.dress(),
             }
             .tell(&reports, whole, &mut unwritten);
             let ended = |(report, _): &Pictured| report.cases.iter().any(Outcome::ended);

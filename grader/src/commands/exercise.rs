@@ -65,7 +65,7 @@ impl Exercise {
                     Some(folder) => student::place(folder, name),
                     None => library::place(name),
                 };
-                describe(examiner, place.as_deref())
+                describe(examiner, place.as_deref(), workbook.is_none())
             };
             let texts: Vec<_> = examiners.into_iter().map(described).collect();
             say(texts.join("\n"));

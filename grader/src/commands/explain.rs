@@ -76,7 +76,7 @@ impl Explain {
         if self.manner.json {
             say(json::text(&account.json(picture.as_deref())));
         } else {
-            say(tell::lines(&account, self.manner.dress()).join("\n"));
+            say(tell::lines(&account, self.manner.look.dress()).join("\n"));
             match (&picture, &account.diagram) {
                 (Some(path), Some(diagram)) => {
                     let file = Untrusted::from(path.as_path());

@@ -1,12 +1,12 @@
 //! `raybook hint`: a nudge that does not give the answer away.
 
 use super::asking::Asking;
+use super::manner::Look;
 use super::{Done, Target};
 use raybook_chapters::kit::say::say;
 use raybook_chapters::kit::untrusted::Untrusted;
 use raybook_grader::ask::Asker;
 use raybook_grader::check::{Outcome, Report, State, check};
-use raybook_grader::dress::Dress;
 use raybook_grader::examine::Examiner;
 use raybook_grader::examine::visible_rng;
 use raybook_grader::explain::account::Account;
@@ -25,6 +25,8 @@ pub struct Hint {
     /// How much is told: 1 a question that leads on, 2 what your function does, 3 a line of the way to the right answer too
     #[arg(long, value_name = "1|2|3", default_value = "1", value_parser = clap::value_parser!(u8).range(1..=3))]
     level: u8,
+    #[command(flatten)]
+    look: Look,
 }
 
 impl Hint {
@@ -66,7 +68,7 @@ impl Hint {
                         feedback::ended(why)
                     ));
                     if self.level > 1 {
-                        say(feedback::diagnosis(&report, Dress::default()).join("\n"));
+                        say(feedback::diagnosis(&report, self.look.dress()).join("\n"));
                     }
                 }
             }

@@ -9,12 +9,19 @@ pub struct Manner {
     /// Print JSON (its fields are described in `raybook_grader::json`, and those of `explain` in `raybook_grader::explain::account`)
     #[arg(long)]
     pub json: bool,
-    /// No colours and no symbols in front of words
-    #[arg(long)]
-    pub plain: bool,
+    #[command(flatten)]
+    pub look: Look,
 }
 
-impl Manner {
+/// The option of every command that tells people what became of an exercise.
+#[derive(clap::Args)]
+pub struct Look {
+    /// No colours and no symbols in front of words
+    #[arg(long)]
+    plain: bool,
+}
+
+impl Look {
     /// How lines look in this terminal.
     pub fn dress(&self) -> Dress {
         Dress {

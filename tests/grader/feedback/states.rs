@@ -106,7 +106,7 @@ fn everything_right() {
 fn the_description_of_an_exercise() {
     let describe = |name: &str| {
         let examiner = cases::find(name).expect("the exercise exists");
-        describe::describe(examiner, library::place(name).as_deref())
+        describe::describe(examiner, library::place(name).as_deref(), true)
     };
     snapshot(
         "feedback_describe",

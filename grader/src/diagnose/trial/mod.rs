@@ -104,6 +104,11 @@ impl<'a> Trial<'a> {
         })
     }
 
+    /// Whether more questions may tell what these did not: traits of more answers scatter less.
+    pub fn is_open(&self) -> bool {
+        self.suspects.is_empty()
+    }
+
     /// What is told after it: for certain, if all is as one suspect says, and no right answer denied it before; else none. `cases` and
     /// `answers` are those of before, and behind them the further ones.
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {

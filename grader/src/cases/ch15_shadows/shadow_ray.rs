@@ -1,6 +1,6 @@
 //! `shadow_ray`: random questions, judge and mistakes.
 
-use super::way::{aimed_anew, ends_before, starts_off};
+use super::way::{aimed_anew, ends_before, next_to_nothing, starts_off};
 use crate::{Flaw, Graded, Mistake, Relation, Verdict, judge, sample};
 use glam::Vec3;
 use rand::RngExt;
@@ -20,8 +20,14 @@ const ONE_AXIS_HINT: &str =
 /// What leads to an error that is a length, and no share of one.
 const RELATIVE_HINT: &str = "The error is in metres already: is a point that is far from the world's origin wrong by more than that?";
 
+/// What leads to a step that goes with the error.
+const FIXED_HINT: &str = "Is your step much on a grain of sand, and on a planet? Which number in the question says how far is enough?";
+
 /// What leads to a step that is at least as long as the error.
 const NEARER_HINT: &str = "The true surface may be as far from the point as the error says: can your ray still start below it?";
+
+/// Where a way ends that is as long as the light is far from the point, or a little less: as a share of that.
+const JUST_BEFORE: f32 = 0.9995;
 
 /// The right answer, with another start.
 fn starting(q: &ShadowRay, origin: Vec3, min: f32) -> Way {
@@ -40,6 +46,12 @@ fn relative(q: &ShadowRay, times: f32) -> Way {
     starting(q, q.position + step * *q.normal, 0.0)
 }
 
+/// The right answer, with a start this many metres off the surface, whatever the error is.
+fn fixed(q: &ShadowRay, step: f32) -> Way {
+    let side = ShadowRay::right(q).direction.dot(*q.normal).signum();
+    starting(q, q.position + step * side * *q.normal, 0.0)
+}
+
 /// The right answer, with another end.
 fn ending(q: &ShadowRay, max: f32) -> Way {
     let right = ShadowRay::right(q);
@@ -56,6 +68,9 @@ fn along(q: &ShadowRay, direction: Vec3) -> Way {
 }
 
 impl Graded for ShadowRay {
+    /// A start on the surface itself, and one at a small part of the error off it, are two mistakes.
+    const ALIKE: f32 = 2e-5;
+
     fn random(rng: &mut Pcg) -> ShadowRay {
         let scale = 10.0_f32.powf(sample::number(rng, -1.5, 3.0));
         let (normal, toward) = loop {
@@ -111,13 +126,15 @@ impl Graded for ShadowRay {
         };
         let ends = ends_before(&asked, &got).is_ok()
             || !starts && ends_before(&asked, &from_right).is_ok();
+        // So is how much before the light a way ends that is measured from the point.
+        let just_before = (2.0 * JUST_BEFORE - 1.0) * q.distance..=q.distance;
         Way {
             origin: if starts {
                 right.origin
             } else if is_mirrored {
                 2.0 * q.position - right.origin
             } else {
-                got.origin
+                next_to_nothing(&asked, &got).unwrap_or(got.origin)
             },
             direction: if is_aimed {
                 right.direction
@@ -132,6 +149,8 @@ impl Graded for ShadowRay {
                 },
                 max: if ends {
                     right.within.max
+                } else if just_before.contains(&got.within.max) {
+                    JUST_BEFORE * q.distance
                 } else {
                     got.within.max
                 },
@@ -226,11 +245,22 @@ impl Graded for ShadowRay {
         Mistake {
             name: "steps a fixed millimetre along the normal",
             hint: "Is a millimetre much on a grain of sand, and on a planet? Which number in the question says how far is enough?",
-            answer: |q| {
-                let right = ShadowRay::right(q);
-                let side = right.direction.dot(*q.normal).signum();
-                starting(q, q.position + 1e-3 * side * *q.normal, 0.0)
-            },
+            answer: |q| fixed(q, 1e-3),
+        },
+        Mistake {
+            name: "steps a fixed centimetre along the normal",
+            hint: FIXED_HINT,
+            answer: |q| fixed(q, 1e-2),
+        },
+        Mistake {
+            name: "steps a fixed tenth of a millimetre along the normal",
+            hint: FIXED_HINT,
+            answer: |q| fixed(q, 1e-4),
+        },
+        Mistake {
+            name: "steps a fixed hundredth of a millimetre along the normal",
+            hint: FIXED_HINT,
+            answer: |q| fixed(q, 1e-5),
         },
         Mistake {
             name: "steps to the normal's side, wherever the light is",
@@ -380,7 +410,7 @@ impl Graded for ShadowRay {
         Mistake {
             name: "ends the interval at the light's distance from the point, or at a share just below, as if the ray began there",
             hint: "Your ray begins off the point: how far is the light from where it begins?",
-            answer: |q| ending(q, 0.9995 * q.distance),
+            answer: |q| ending(q, JUST_BEFORE * q.distance),
         },
         Mistake {
             name: "chooses the side of the surface by whether the light is above the horizon",

@@ -2,7 +2,7 @@
 
 use crate::judge::size;
 use crate::{Verdict, judge};
-use glam::DVec3;
+use glam::{DVec3, Vec3};
 use raybook_workbook::exercises::ch15_shadows::{ShadowRay, Way};
 
 /// How far off the surface a shadow ray may start, in error bounds: beyond, shadows come loose.
@@ -14,6 +14,24 @@ const ROUNDED: f64 = 0.9;
 /// A shadow ray must end at least this share of the way before the light, and at most this.
 const NEAREST_END: f64 = 5e-7;
 const FARTHEST_END: f64 = 0.01;
+
+/// A step of less than this part of the one that is needed is next to nothing: how little it is does not matter, but that it is not nothing
+/// tells a fixed step from none, also where it is small beside the place itself.
+const LITTLE: f64 = 0.02;
+
+/// The part of the step that is needed as which a step that is next to nothing is shown.
+const SHOWN: f64 = 0.05;
+
+/// Where a ray starts whose step along the normal, to the light's side, is next to nothing: a twentieth of the needed step off the point.
+pub(super) fn next_to_nothing(q: &ShadowRay, got: &Way) -> Option<Vec3> {
+    let [normal, toward, position] = [*q.normal, *q.toward, q.position].map(Vec3::as_dvec3);
+    let step = got.origin.as_dvec3() - position;
+    let needed = f64::from(q.error) * normal.abs().element_sum();
+    let off = normal.dot(step) * normal.dot(toward).signum();
+    let is_little = off > 0.0 && step.length() < LITTLE * needed;
+    let origin = position + (SHOWN * needed).copysign(normal.dot(toward)) * normal;
+    (is_little && beside_the_normal(step, q).is_none()).then(|| origin.as_vec3())
+}
 
 /// Where the stretch that counts begins, seen from the point, and where it ends.
 fn ends(q: &ShadowRay, got: &Way) -> [DVec3; 2] {

@@ -283,6 +283,15 @@ impl Graded for SpendBudget {
             answer: |q| spent(q, |how| how.shares = least_first),
         },
         Mistake {
+            name: "gives each pixel its minimum, and shares only the rest in proportion (the largest remainders rounded up)",
+            hint: "Two pixels, one with twice the deviation of the other, and a small minimum: has the noisier one twice the samples, all counted?",
+            answer: |q| {
+                spent(q, |how| {
+                    (how.shares, how.rest) = (least_first, BY_REMAINDERS);
+                })
+            },
+        },
+        Mistake {
             name: "gives all that is left beyond the minimum to the pixel of the largest deviation",
             hint: "When the worst pixel has ten times as many samples as the others, is it still the worst?",
             answer: |q| {
@@ -306,6 +315,19 @@ impl Graded for SpendBudget {
             name: "raises shares to the minimum without taking that from the others",
             hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
             answer: |q| spent(q, |how| (how.shares, how.count) = (in_proportion, u32::max)),
+        },
+        Mistake {
+            name: "raises shares to the minimum without taking that from the others, and gives away what rounding leaves only where the budget is not spent yet",
+            hint: "Add up your samples: is the sum the budget? Who pays for a quiet pixel's minimum?",
+            answer: |q| {
+                spent(q, |how| {
+                    how.shares = |q| {
+                        let raised = in_proportion(q).into_iter();
+                        raised.map(|share| share.max(q.least as f32)).collect()
+                    };
+                    how.rest = BY_REMAINDERS;
+                })
+            },
         },
         Mistake {
             name: "gives each pixel its minimum on top of the budget",

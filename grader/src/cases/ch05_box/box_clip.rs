@@ -3,7 +3,10 @@
 mod clips;
 
 use crate::{Graded, Mistake, Picture, Relation, Verdict, judge, sample};
-use clips::{Parallel, clipped, crossings, is_edge, once_at_edges, overlap, unless_alone, whole};
+use clips::{
+    FAR_FIRST, IS_NOT_EMPTY, MIN_AND_MAX, NEAR_FIRST, Parallel, clipped, crossings, is_edge,
+    once_at_edges, overlap, unless_alone, whole,
+};
 use glam::{Vec3, vec3};
 use rand::RngExt;
 use raybook::image::rgb::Rgb;
@@ -146,6 +149,41 @@ impl Graded for BoxClip {
                     how.order = |a, b, _| (if a < b { a } else { b }, if a > b { a } else { b });
                     how.parallel = Parallel::Divided;
                     how.is_left = |part| part.min <= part.max;
+                })
+            },
+        },
+        Mistake {
+            name: "multiplies by 1/0 = ∞, and lets 0 · ∞ = NaN take the place of an end where a ray runs in a face",
+            hint: "In a face, the way to one of the slab's planes is 0: what is 0 · ∞? And which of two numbers do your `min` and `max` take if the first is NaN?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.parallel = Parallel::Divided;
+                    how.order = |a, b, _| if a > b { (b, a) } else { (a, b) };
+                    (how.enter, how.leave) = (NEAR_FIRST, FAR_FIRST);
+                    how.is_left = IS_NOT_EMPTY;
+                })
+            },
+        },
+        Mistake {
+            name: "multiplies by 1/0 = ∞, orders a slab's two distances by `min` and `max` though 0 · ∞ is NaN, and lets NaN take the place of an end",
+            hint: "In a face, the way to one of the slab's planes is 0: what is 0 · ∞? And which of two numbers do your `min` and `max` take if the first is NaN?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.parallel = Parallel::Divided;
+                    how.order = MIN_AND_MAX;
+                    (how.enter, how.leave) = (NEAR_FIRST, FAR_FIRST);
+                    how.is_left = IS_NOT_EMPTY;
+                })
+            },
+        },
+        Mistake {
+            name: "multiplies by 1/0 = ∞, and orders a slab's two distances by `min` and `max` though 0 · ∞ is NaN",
+            hint: "In a face, the way to one of the slab's planes is 0: what is 0 · ∞? And which of two numbers do your `min` and `max` take if the second is NaN?",
+            answer: |q| {
+                clipped(q, |how| {
+                    how.parallel = Parallel::Divided;
+                    how.order = MIN_AND_MAX;
+                    how.is_left = IS_NOT_EMPTY;
                 })
             },
         },

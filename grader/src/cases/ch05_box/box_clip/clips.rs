@@ -4,6 +4,7 @@ use crate::upon::changed;
 use crate::{Graded, sample};
 use raybook::math::interval::Interval;
 use raybook_workbook::exercises::ch05_box::BoxClip;
+use std::cmp::Ordering;
 
 /// How a ray is clipped by the slabs of a box, one after the other; one field wrong is a mistake.
 #[derive(Clone, Copy)]
@@ -60,6 +61,23 @@ const WELL: How = How {
     is_cut_at_end: false,
     is_left: |part| part.max - part.min >= 0.0,
 };
+
+/// `max(near, entry)` as in Python and C++, where a comparison with NaN is false: it takes the first of two numbers if one is NaN.
+pub(super) const NEAR_FIRST: End = |entry, near, _| if entry > near { entry } else { near };
+
+/// `min(far, exit)` as in Python and C++.
+pub(super) const FAR_FIRST: End = |exit, far, _| if exit < far { exit } else { far };
+
+/// `min` and `max` of both distances as in Python and C++.
+pub(super) const MIN_AND_MAX: fn(a: f32, b: f32, down: bool) -> (f32, f32) =
+    |a, b, _| (if b < a { b } else { a }, if b > a { b } else { a });
+
+/// Not empty, as who asks whether the beginning is behind the end: of NaN that is not known.
+pub(super) const IS_NOT_EMPTY: fn(part: Interval) -> bool =
+    |part| part.min.partial_cmp(&part.max) != Some(Ordering::Greater);
+
+/// An end, made of the one before, a slab's, and the interval's.
+type End = fn(before: f32, slab: f32, interval: f32) -> f32;
 
 /// The part of the ray inside the box, rightly but for what is changed.
 pub(super) fn clipped(q: &BoxClip, change: fn(&mut How)) -> Option<Interval> {

@@ -173,6 +173,15 @@ impl Graded for EnvironmentPdf {
             },
         },
         Mistake {
+            name: "takes the first row for the one straight down, as if rows went round as columns do",
+            hint: "The map's right edge is its left one again: is its lower edge the upper one? Which row is straight down?",
+            answer: |q| {
+                density(q, |how| {
+                    how.number[1] = |place, n| (place * n as f32) as i32 % n as i32;
+                })
+            },
+        },
+        Mistake {
             name: "finds the row by the height, not by the angle from the top",
             hint: "The rows of the map are equally many degrees high: are they equally high on the sphere?",
             answer: |q| {

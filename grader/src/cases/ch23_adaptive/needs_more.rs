@@ -8,7 +8,9 @@ use rand::RngExt;
 use raybook::image::rgb::Rgb;
 use raybook::math::pcg::Pcg;
 use raybook_workbook::exercises::ch23_adaptive::NeedsMore;
-use rules::{all_channels, channel, darkest_and_brightest, decided, luminances, running, sum};
+use rules::{
+    all_channels, channel, darkest_and_brightest, decided, first_decides, luminances, running, sum,
+};
 
 impl Graded for NeedsMore {
     fn random(rng: &mut Pcg) -> NeedsMore {
@@ -390,6 +392,24 @@ impl Graded for NeedsMore {
                         let decisive = channels.iter().find(|one| one.is_black || is_above(one));
                         decisive.is_some_and(|one| one.is_black)
                     };
+                })
+            },
+        },
+        Mistake {
+            name: "asks only the first channel that is not black whether it has too much contrast",
+            hint: "Red is within its limit: when does your loop over the channels end, and which of them does it still come to?",
+            answer: |q| decided(q, |how| how.is_contrasty = first_decides),
+        },
+        Mistake {
+            name: "returns at the first channel that is not black whether its contrast is too much",
+            hint: "Red is within its limit: what do you know of green, of blue, and of the error? When does your loop return?",
+            answer: |q| {
+                decided(q, |how| {
+                    how.is_content = |channels, is_above| {
+                        let is_lit = channels.iter().any(|channel| !channel.is_black);
+                        is_lit && !first_decides(channels, is_above)
+                    };
+                    how.is_contrasty = first_decides;
                 })
             },
         },

@@ -162,6 +162,12 @@ pub(super) fn sum(channels: &[Channel]) -> Channel {
     }
 }
 
+/// Whether the first channel that is not black has too much contrast.
+pub(super) fn first_decides(channels: &[Channel], is_above: IsAbove) -> bool {
+    let first = channels.iter().find(|channel| !channel.is_black);
+    first.is_some_and(is_above)
+}
+
 /// A group of the samples of the least and of the greatest luminance, the first of several.
 pub(super) fn darkest_and_brightest(samples: &[Rgb], luminance: Luminance) -> Vec<Vec<Rgb>> {
     let by_luminance = |one: &&Rgb, other: &&Rgb| luminance(**one).total_cmp(&luminance(**other));

@@ -73,6 +73,19 @@ impl Graded for SampleRect {
         })
     }
 
+    /// Of a light that is seen edge-on, samples of any density that is far too large are those of an infinite one: how much a light of no
+    /// width is made wider, is everybody's own choice.
+    fn canonical(q: &SampleRect, answer: Self::Answer) -> Self::Answer {
+        let is_dense = |chosen: &Chosen| chosen.pdf * area(q) > DENSE * chosen.distance.powi(2);
+        answer.map(|all| {
+            if is_edge_on(q) && all.len() == (q.n * q.n) as usize && all.iter().all(is_dense) {
+                edge_on(q)
+            } else {
+                all
+            }
+        })
+    }
+
     fn traits(q: &SampleRect, got: &Self::Answer) -> Vec<f64> {
         let Some(got) = got else {
             return vec![0.0; chosen::TRAITS];
@@ -147,6 +160,14 @@ impl Graded for SampleRect {
             answer: |q| SampleRect::right(q).or_else(|| from_behind(q)),
         },
         Mistake {
+            name: "does not see that the light turns its back, nor that it is seen edge-on",
+            hint: "Where does a × b point, and on which side of the light is the point? Of what is your cosine the absolute value, or which sign may it have?",
+            answer: |q| {
+                let right = SampleRect::right(q).or_else(|| from_behind(q));
+                right.or_else(|| is_edge_on(q).then(|| edge_on(q)))
+            },
+        },
+        Mistake {
             name: "takes the light's corner for its middle",
             hint: "Which points of the light belong to u = (0, 0) and to u = (1, 1)?",
             answer: |q| Self::misread(q, |q| q.corner -= 0.5 * (q.a + q.b)),
@@ -167,6 +188,16 @@ impl Graded for SampleRect {
             answer: |q| {
                 let all = Self::right(q)?;
                 Some(chosen::changed(all, |chosen| chosen.arriving = q.radiance))
+            },
+        },
+        Mistake {
+            name: "leaves the radiance out of what arrives",
+            hint: "Make the light twice as bright: does twice as much arrive?",
+            answer: |q| {
+                let all = Self::right(q)?;
+                Some(chosen::changed(all, |chosen| {
+                    chosen.arriving = 1.0 / chosen.pdf;
+                }))
             },
         },
         Mistake {
@@ -307,6 +338,29 @@ fn from_behind(q: &SampleRect) -> Option<Vec<Chosen>> {
         a: -q.a,
         ..q.clone()
     })
+}
+
+/// One over the least cosine at a light that can be told from 0.
+const DENSE: f32 = 1e4;
+
+/// Whether a point lies in the light's plane.
+fn is_edge_on(q: &SampleRect) -> bool {
+    let (way, normal) = (q.corner - q.at, q.a.cross(q.b).normalize_or_zero());
+    DENSE * way.dot(normal).abs() < way.length()
+}
+
+/// Samples of a light that is seen edge-on, as of one that is seen: nothing arrives from infinitely dense directions.
+fn edge_on(q: &SampleRect) -> Vec<Chosen> {
+    let chosen = |u: Vec2| {
+        let r = q.corner + u.x * q.a + u.y * q.b - q.at;
+        Chosen {
+            toward: r.normalize_or_zero(),
+            distance: r.length(),
+            pdf: f32::INFINITY,
+            arriving: 0.0,
+        }
+    };
+    lattice(q.n).map(chosen).collect()
 }
 
 fn area(q: &SampleRect) -> f32 {

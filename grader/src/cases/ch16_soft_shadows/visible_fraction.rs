@@ -250,8 +250,8 @@ impl Graded for VisibleFraction {
             answer: |q| sampled(q, |how| how.along = [f32::round; 2]),
         },
         Mistake {
-            name: "takes every penumbra for full shadow",
-            hint: "Something in the way of one sample is not in the way of all.",
+            name: "takes every penumbra for full shadow: by one sample in the dark, or by a division of whole numbers",
+            hint: "Something in the way of one sample is not in the way of all. And what does your language make of 512/1024, or of 512 // 1024?",
             answer: |q| {
                 let all = VisibleFraction::right(q);
                 all.iter()

@@ -45,7 +45,7 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
     ("bvh_closest", "opens every box"),
     (
         "bvh_closest",
-        "does not shorten the interval for the second child",
+        "does not shorten the interval for the second child, nor for any box behind a hit",
     ),
     ("bvh_closest", "opens the farther child first"),
     (
@@ -99,9 +99,10 @@ const TOO_MUCH_WORK: &[(&str, &str)] = &[
         "wide_closest",
         "opens the children in the order of the node",
     ),
+    ("wide_closest", "opens the farthest child first"),
     (
         "wide_closest",
-        "opens the farthest child first, or asks every box as if nothing had been hit yet",
+        "asks every box as if nothing had been hit yet, and opens what is behind the hit",
     ),
     ("wide_closest", "opens children that wait behind the hit"),
     ("wide_closest", "counts each leaf as a node too"),

@@ -94,7 +94,7 @@ impl Graded for BvhClosest {
             answer: |q| search(q, |how| how.asks = false),
         },
         Mistake {
-            name: "does not shorten the interval for the second child",
+            name: "does not shorten the interval for the second child, nor for any box behind a hit",
             hint: "Something was hit in the first child: which boxes are still worth opening?",
             answer: |q| search(q, |how| how.shortens = false),
         },

@@ -114,9 +114,14 @@ impl Graded for WideClosest {
             answer: |q| search(q, |how| how.order = Order::Stored),
         },
         Mistake {
-            name: "opens the farthest child first, or asks every box as if nothing had been hit yet",
-            hint: "The child that is put on the stack last is taken off first: which child should that be? And once something is hit, how far does the ray still have to be followed?",
+            name: "opens the farthest child first",
+            hint: "The child that is put on the stack last is taken off first: which child should that be?",
             answer: |q| search(q, |how| how.order = Order::Farthest),
+        },
+        Mistake {
+            name: "asks every box as if nothing had been hit yet, and opens what is behind the hit",
+            hint: "Once something is hit, how far does the ray still have to be followed?",
+            answer: |q| search(q, |how| how.shortens = false),
         },
         Mistake {
             name: "opens children that wait behind the hit",

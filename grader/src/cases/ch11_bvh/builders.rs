@@ -200,6 +200,37 @@ pub(super) fn around_centers(q: &BvhBuild, which: &[u32]) -> Aabb {
     Aabb::of(which.iter().map(|&i| center(&q.boxes[i as usize])))
 }
 
+/// The same tree, in which the box of each node is made anew of the boxes below.
+pub(super) fn with_boxes(
+    q: &BvhBuild,
+    mut tree: BvhBuildAnswer,
+    of: fn(q: &BvhBuild, which: &[u32]) -> Aabb,
+) -> BvhBuildAnswer {
+    let around = |node: usize| of(q, &below(&tree, node));
+    let boxes: Vec<_> = (0..tree.nodes.len()).map(around).collect();
+    for (node, around) in tree.nodes.iter_mut().zip(boxes) {
+        (node.min, node.max) = (around.min, around.max);
+    }
+    tree
+}
+
+/// The boxes in the leaves below a node, as far as it is one of a tree.
+fn below(tree: &BvhBuildAnswer, node: usize) -> Vec<u32> {
+    let (mut which, mut to_do) = (Vec::new(), vec![node]);
+    for _ in 0..tree.nodes.len() {
+        let Some(row) = to_do.pop().and_then(|node| tree.nodes.get(node)) else {
+            break;
+        };
+        let first = row.first as usize;
+        if row.count > 0 {
+            which.extend(tree.order.iter().skip(first).take(row.count as usize));
+        } else {
+            to_do.extend([first, first.saturating_add(1)]);
+        }
+    }
+    which
+}
+
 /// The axis along which a box is longest.
 pub(super) fn longest(bounds: &Aabb) -> Range<usize> {
     let axis = bounds.size().max_position();

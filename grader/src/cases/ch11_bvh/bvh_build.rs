@@ -2,7 +2,7 @@
 
 use super::builders::{
     along_the_longest, area_around, around_centers, built, by_all_cuts, dearest, depth_first, gaps,
-    halved, longest, of_full_leaves, only, spaces, with_first, with_numbers_after_own,
+    halved, longest, of_full_leaves, only, spaces, with_boxes, with_first, with_numbers_after_own,
 };
 use super::bvh_tree::{apart, misplaced, places, tree_cost, wrong_choice};
 use super::sah_cost::node_area;
@@ -39,6 +39,21 @@ const FROM_1: &str = "counts the places of the order from 1";
 
 /// The same, if the order is the other way round.
 const PLACES: &str = "writes the place of each box into the order, not the box at each place";
+
+/// Whether an answer is a tree, or would be one if its nodes had other boxes.
+fn is_tree_but_for_boxes(q: &BvhBuild, tree: &BvhBuildAnswer) -> bool {
+    if tree_cost(q, tree).is_ok() {
+        return true;
+    }
+    let around_all = |q: &BvhBuild, which: &[u32]| {
+        let is_box = |i: &&u32| (**i as usize) < q.boxes.len();
+        let which: Vec<_> = which.iter().filter(is_box).copied().collect();
+        around(&q.boxes, &which)
+    };
+    let mended = with_boxes(q, tree.clone(), around_all);
+    let is_misplaced = || apart(&tree.nodes).is_some() || misplaced(q, tree).is_some();
+    tree_cost(q, &mended).is_ok() && !is_misplaced()
+}
 
 /// How much more than the reference's the tree of this number of boxes may cost: neither is the best, and the fewer boxes there
 /// are, the more does it matter which cut is taken first. Cuts at one of eight places, or along the longest axis only, cost up to
@@ -128,9 +143,10 @@ impl Graded for BvhBuild {
         ]
     }
 
-    /// The nodes by levels, the child with the lower corner first, and each leaf's boxes by number, where it is a tree.
+    /// The nodes by levels, the child with the lower corner first, and each leaf's boxes by number, where it is a tree, whatever the nodes' own
+    /// boxes are.
     fn canonical(q: &BvhBuild, tree: BvhBuildAnswer) -> BvhBuildAnswer {
-        if tree.nodes.is_empty() || tree_cost(q, &tree).is_err() {
+        if tree.nodes.is_empty() || !is_tree_but_for_boxes(q, &tree) {
             return tree;
         }
         let mut one = BvhBuildAnswer {
@@ -303,6 +319,26 @@ impl Graded for BvhBuild {
                     how.axes = |q, which, _| longest(&around_centers(q, which));
                     how.ranks = |row| only(row, row.order.len() / 2);
                     how.fits = |count, most| 2 * count <= most;
+                })
+            },
+        },
+        Mistake {
+            name: "cuts into halves by the number of boxes along the longest axis of a node's box, and tries no other cut",
+            hint: "One box lies far away from nine others: should any of the nine share a side with it?",
+            answer: |q| {
+                built(q, |how| {
+                    how.axes = along_the_longest;
+                    how.ranks = |row| only(row, row.order.len() / 2);
+                })
+            },
+        },
+        Mistake {
+            name: "cuts into halves by the number of boxes along the longest axis of a node's box, and makes a leaf of all that it can hold",
+            hint: "One box lies far away from nine others: should any of the nine share a side with it? And is a leaf always cheaper than a cut?",
+            answer: |q| {
+                of_full_leaves(q, |how| {
+                    how.axes = along_the_longest;
+                    how.ranks = |row| only(row, row.order.len() / 2);
                 })
             },
         },
@@ -498,6 +534,11 @@ impl Graded for BvhBuild {
                 let points = q.boxes.iter().map(|row| cube(center(row), 0.0)).collect();
                 Self::misread(q, |q| q.boxes = points)
             },
+        },
+        Mistake {
+            name: "makes a node's box around the centres of its boxes, and cuts by the boxes themselves",
+            hint: "A shape reaches beyond its centre: which node finds the part outside the box?",
+            answer: |q| with_boxes(q, Self::right(q), around_centers),
         },
         Mistake {
             name: "divides the cost of a cut by the area of the root's box, not by that of the node's",

@@ -2,7 +2,7 @@
 
 mod builders;
 
-use super::octree_tree::{cost, is_tree, misplaced, names, wrong_choice};
+use super::octree_tree::{cost, cut_for_nothing, is_tree, misplaced, names, wrong_choice};
 use crate::{Flaw, Graded, Mistake, Verdict, sample, traits};
 use builders::{begun, built, depth_first, name_all, sum};
 use glam::Vec3;
@@ -29,6 +29,10 @@ const NUMBER_OF_A_SHAPE: &str =
 
 /// The same, if nodes have the number of their last child.
 const LAST_CHILD: &str = "gives a node the number of its last child, not that of its first";
+
+/// What a function does that cuts without need.
+const NOTHING_WON: &str = "cuts a cell where the cut costs as much as the leaf";
+const NOTHING_WON_HINT: &str = "The cost of a cut is just that of the leaf: does the cut lower it?";
 
 impl Graded for OctreeBuild {
     fn random(rng: &mut Pcg) -> OctreeBuild {
@@ -105,7 +109,12 @@ impl Graded for OctreeBuild {
                 None => tests,
             });
         }
-        Ok(())
+        match cut_for_nothing(q, got) {
+            Some(node) => Err(format!(
+                "node {node} is cut, and nothing is won: the cut costs as much as the leaf would"
+            )),
+            None => Ok(()),
+        }
     }
 
     fn traits(q: &OctreeBuild, got: &TreeRow) -> Vec<f64> {
@@ -275,6 +284,11 @@ impl Graded for OctreeBuild {
             hint: "Write down the cost of a leaf and that of a cut cell for the smallest case: which of them is less, and what does a child cost a ray that may miss it?",
         },
         Flaw {
+            complaint: "is cut, and nothing is won",
+            name: NOTHING_WON,
+            hint: NOTHING_WON_HINT,
+        },
+        Flaw {
             complaint: "is not cut, and that would pay",
             name: "leaves cells whole where a cut would pay",
             hint: "Write down the cost of a leaf and that of a cut cell for the smallest case: which of them is less, and has anything else stopped the cut?",
@@ -332,6 +346,11 @@ impl Graded for OctreeBuild {
             name: "never cuts",
             hint: "What does a ray gain from a tree that is a single leaf? If your rule never allows a cut: which share of a child's shapes does a ray test?",
             answer: |q| Self::misread(q, |q| q.depth = 0),
+        },
+        Mistake {
+            name: NOTHING_WON,
+            hint: NOTHING_WON_HINT,
+            answer: |q| built(q, |how| how.is_cheaper = |cut, whole| cut <= whole),
         },
         Mistake {
             name: "cuts as long as the depth allows",

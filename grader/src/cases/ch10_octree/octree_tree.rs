@@ -5,6 +5,7 @@ use raybook::inside::octree::child_cell;
 use raybook::math::aabb::Aabb;
 use raybook_workbook::exercises::ch10_octree::{OctreeBuild, reached};
 use raybook_workbook::octree_rows::{NodeRow, TreeRow};
+use std::collections::BTreeSet;
 
 /// A leaf of an answer.
 struct LeafOf {
@@ -273,6 +274,39 @@ pub(super) fn wrong_choice(q: &OctreeBuild, tree: &TreeRow) -> Option<String> {
         }
     }
     None
+}
+
+/// The first node whose cut costs as much as the leaf would, by the shapes that the tree itself names below. In a cell whose corners and whose
+/// opening are quarters, everybody's numbers are exact, and none is told elsewhere.
+pub(super) fn cut_for_nothing(q: &OctreeBuild, tree: &TreeRow) -> Option<usize> {
+    let is_quarters = |x: f32| x.abs() < 1e4 && (4.0 * x).fract() == 0.0;
+    let numbers = [q.min.to_array(), q.max.to_array()].concat();
+    if !numbers.into_iter().chain([q.opening]).all(is_quarters) {
+        return None;
+    }
+    let below = |node: usize| named_below(tree, node).len() as f32;
+    let costs_as_much = |node: &usize| {
+        let row = &tree.nodes[*node];
+        let first = row.first as usize;
+        let parts = || (first..first + 8).map(below).sum::<f32>();
+        row.inner == 1 && q.opening + 0.25 * parts() == below(*node)
+    };
+    (0..tree.nodes.len()).find(costs_as_much)
+}
+
+/// The shapes that the leaves below a node name.
+fn named_below(tree: &TreeRow, node: usize) -> BTreeSet<u32> {
+    let (mut names, mut to_do) = (BTreeSet::new(), vec![node]);
+    while let Some(node) = to_do.pop() {
+        let row = &tree.nodes[node];
+        let first = row.first as usize;
+        if row.inner == 0 {
+            names.extend(tree.names.iter().skip(first).take(row.count as usize));
+        } else {
+            to_do.extend(first..first + 8);
+        }
+    }
+    names
 }
 
 /// The tests that a ray through the root is expected to cost: a node at depth d is entered by one ray of 4^d.

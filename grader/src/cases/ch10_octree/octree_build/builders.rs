@@ -39,6 +39,8 @@ pub(super) struct How {
     pub(super) openings: f32,
     /// What a cut must cost less than, of a cell with `n` shapes.
     pub(super) compared: fn(q: &OctreeBuild, n: f32) -> f32,
+    /// Whether a cut of some cost is made, of a cell that costs as much without.
+    pub(super) is_cheaper: fn(cut: f32, whole: f32) -> bool,
     /// A cell with more shapes than these is cut if that pays.
     pub(super) more_than: f32,
     /// Whether a cut that costs less is made, of a cell with `n` shapes.
@@ -59,6 +61,7 @@ const WELL: How = How {
     expected: |parts| 0.25 * sum(parts),
     openings: 1.0,
     compared: |_, n| n,
+    is_cheaper: |cut, whole| cut < whole,
     more_than: f32::NEG_INFINITY,
     may_pay: |_, _| true,
     allowed: |_, copies, n| copies * n,
@@ -111,7 +114,7 @@ fn fill(
     });
     let (before, after) = (shapes.len() as f32, sum(&parts));
     let cost = how.openings * q.opening + (how.expected)(&parts);
-    let is_cheaper = cost < (how.compared)(q, before);
+    let is_cheaper = (how.is_cheaper)(cost, (how.compared)(q, before));
     let pays = is_cheaper && before > how.more_than && (how.may_pay)(before, &parts);
     let is_full = tree.nodes.len() > MOST;
     if depth == 0 || !pays || after > (how.allowed)(q, copies, before) || is_full {

@@ -8,6 +8,7 @@ use rand::RngExt;
 use raybook::math::pcg::{self, Pcg};
 use raybook::sample::pattern::{jittered, regular_grid, rows};
 use raybook_workbook::exercises::ch22_antialiasing::RandomPattern;
+use std::collections::HashSet;
 
 /// n points, each from two numbers, which are those of a right point.
 fn each(q: &RandomPattern, point: impl Fn(Vec2) -> Vec2) -> Vec<Vec2> {
@@ -105,6 +106,12 @@ impl Graded for RandomPattern {
             0.5 * traits::unevenness(along, strips)
         });
         traits.extend(uneven);
+        // Few places show in no part of the square: in how many different numbers there are.
+        let different = [0, 1].map(|axis| {
+            let numbers: HashSet<_> = got.iter().map(|p| p[axis].to_bits()).collect();
+            numbers.len() as f64 / got.len().max(1) as f64
+        });
+        traits.extend(different);
         traits
     }
 
@@ -215,6 +222,11 @@ impl Graded for RandomPattern {
             name: "takes one of sixteen places along each axis",
             hint: "How many different values do your coordinates have? Whole numbers divided by 16 are not all numbers.",
             answer: |q| each(q, |u| (16.0 * u).floor() / 16.0),
+        },
+        Mistake {
+            name: "takes one of 256 places along each axis, as a byte tells them apart",
+            hint: "How many different values do your coordinates have? Whole numbers divided by 256 are not all numbers.",
+            answer: |q| each(q, |u| (256.0 * u).floor() / 256.0),
         },
         Mistake {
             name: "squares its numbers",

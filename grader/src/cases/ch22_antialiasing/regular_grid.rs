@@ -91,6 +91,17 @@ impl Graded for RegularGrid {
             },
         },
         Mistake {
+            name: "reaches from edge to edge, and puts a single column or row into the middle",
+            hint: "The last point is on the pixel's edge, and so is the first one of the next pixel: how far apart should they be?",
+            answer: |q| {
+                in_cells(q, |how| {
+                    how.part = how.count.map(|count| if count > 1.0 { 0.0 } else { 0.5 });
+                    how.count = (how.count - 1.0).max(Vec2::ONE);
+                    how.part_of = Vec2::ONE;
+                })
+            },
+        },
+        Mistake {
             name: "leaves a whole cell at each edge",
             hint: "How far is the first point from the edge, and how far from its neighbour? Together with the next pixel's, all should be equally far apart.",
             answer: |q| {

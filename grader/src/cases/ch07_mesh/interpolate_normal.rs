@@ -115,6 +115,18 @@ impl Graded for InterpolateNormal {
             },
         },
         Mistake {
+            name: "turns the result to the side of the first normal",
+            hint: "Where a mesh bends sharply, the normal may point away from that of the first corner: which side is outside there?",
+            answer: |q| {
+                let right = Self::right(q);
+                if right.dot(*q.n0) < 0.0 {
+                    -right
+                } else {
+                    right
+                }
+            },
+        },
+        Mistake {
             name: "crosses the differences of the normals, as if they were corners",
             hint: "The normal of a flat triangle is made of its edges: have you been given any?",
             answer: |q| (*q.n1 - *q.n0).cross(*q.n2 - *q.n0).normalize_or_zero(),

@@ -67,6 +67,19 @@ impl Graded for GridResolution {
             answer: |q| rounded(share(q), |cells| (cells * (1.0 + LAST_DIGITS)).floor()),
         },
         Mistake {
+            name: "rounds down, also what is a whole number but for its last digits",
+            hint: "2.9 is nearer to 3 than to 2. And what does your language make of 64 to the power of 1/3?",
+            answer: |q| {
+                let thick = thick(q).as_dvec3();
+                let some = (0..3).filter(|&i| thick[i] > 0.0);
+                let content: f64 = some.map(|i| f64::from(q.extents[i])).product();
+                let cells = f64::from(q.density) * f64::from(q.shapes);
+                let per_metre = (cells / content).powf(1.0 / thick.element_sum());
+                let along = q.extents.as_dvec3() * thick * per_metre;
+                rounded(along.floor().as_vec3(), |cells| cells)
+            },
+        },
+        Mistake {
             name: "rounds up",
             hint: "2.1 is nearer to 2 than to 3.",
             answer: |q| rounded(share(q), |cells| (cells * (1.0 - LAST_DIGITS)).ceil()),

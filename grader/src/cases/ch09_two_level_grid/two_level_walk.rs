@@ -11,7 +11,7 @@ use glam::{UVec3, vec3};
 use rand::RngExt;
 use raybook::math::{aabb::Aabb, dir3::Dir3, interval::Interval, pcg::Pcg, ray::Ray};
 use raybook_workbook::exercises::ch09_two_level_grid::{Resolution, TwoLevelWalk};
-use walks::{AtEmpty, Place, along_x, before_is, by_boxes, looked_up, marched, numbered};
+use walks::{AtEmpty, Place, before_is, by_boxes, looked_up, marched, numbered};
 
 /// The boxes of all fine cells, in the row of all.
 pub(super) fn cells(q: &TwoLevelWalk) -> Vec<Aabb> {
@@ -284,7 +284,7 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "stops at the first empty coarse cell",
             hint: "In an empty coarse cell there is nothing to visit: where does the ray go on?",
-            answer: |q| looked_up(q, [along_x, along_x], AtEmpty::Ends),
+            answer: |q| looked_up(q, |how| how.at_empty = AtEmpty::Ends),
         },
         Mistake {
             name: "goes through the row of all coarse cells, and stops at the first empty one",
@@ -302,24 +302,27 @@ impl Graded for TwoLevelWalk {
             name: "looks up the coarse cells with y and z exchanged",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
             answer: |q| {
-                let place: Place = |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y);
-                looked_up(q, [place, along_x], AtEmpty::GoesOn)
+                looked_up(q, |how| {
+                    how.coarse = |[x, y, z], [nx, _, nz]| x + nx * (z + nz * y);
+                })
             },
         },
         Mistake {
             name: "looks up the coarse cells along z first",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with x?",
             answer: |q| {
-                let place: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
-                looked_up(q, [place, along_x], AtEmpty::GoesOn)
+                looked_up(q, |how| {
+                    how.coarse = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
+                })
             },
         },
         Mistake {
             name: "goes to the next row of coarse cells by the number of rows, not by that of cells in a row",
             hint: "By how much does the place of a coarse cell grow with y: by the number of cells along x, or along y?",
             answer: |q| {
-                let place: Place = |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z);
-                looked_up(q, [place, along_x], AtEmpty::GoesOn)
+                looked_up(q, |how| {
+                    how.coarse = |[x, y, z], [_, ny, nz]| x + ny * (y + nz * z);
+                })
             },
         },
         Mistake {
@@ -346,8 +349,9 @@ impl Graded for TwoLevelWalk {
             name: "looks up the coarse cells along y first",
             hint: "The coarse cells lie in a row along x first, then y, then z: by how much does the place grow with y, and with z?",
             answer: |q| {
-                let place: Place = |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z);
-                looked_up(q, [place, along_x], AtEmpty::GoesOn)
+                looked_up(q, |how| {
+                    how.coarse = |[x, y, z], [nx, ny, _]| y + ny * (x + nx * z);
+                })
             },
         },
         Mistake {
@@ -382,8 +386,10 @@ impl Graded for TwoLevelWalk {
             name: "takes the cells along z first, the coarse ones and the fine ones",
             hint: "Both lists begin with the cells along x, then y, then z: by how much does the place grow with x?",
             answer: |q| {
-                let along_z: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
-                looked_up(q, [along_z, along_z], AtEmpty::GoesOn)
+                looked_up(q, |how| {
+                    let along_z: Place = |[x, y, z], [_, ny, nz]| z + nz * (y + ny * x);
+                    (how.coarse, how.fine) = (along_z, along_z);
+                })
             },
         },
         Mistake {
@@ -409,7 +415,7 @@ impl Graded for TwoLevelWalk {
         Mistake {
             name: "visits an empty coarse cell as if it were one fine cell",
             hint: "How many fine cells has an empty coarse cell, and whose place in the row do you name for it?",
-            answer: |q| looked_up(q, [along_x, along_x], AtEmpty::Visits),
+            answer: |q| looked_up(q, |how| how.at_empty = AtEmpty::Visits),
         },
         Mistake {
             name: "counts the fine cells of those coarse cells only that the ray has passed",

@@ -56,22 +56,37 @@ pub(super) enum AtEmpty {
     Visits,
 }
 
-/// The walk, if each coarse cell is looked up at another place, and fine cells have other places in it.
-pub(super) fn looked_up(
-    q: &TwoLevelWalk,
-    [coarse_place, fine_place]: [Place; 2],
-    at_empty: AtEmpty,
-) -> Vec<u32> {
+/// How cells are looked up; one field wrong is a mistake.
+#[derive(Clone, Copy)]
+pub(super) struct Look {
+    /// The place of a coarse cell in the row of all.
+    pub(super) coarse: Place,
+    /// The place of a fine cell among those of its coarse cell.
+    pub(super) fine: Place,
+    /// What is done in an empty coarse cell.
+    pub(super) at_empty: AtEmpty,
+}
+
+/// As it should be.
+const WELL: Look = Look {
+    coarse: along_x,
+    fine: along_x,
+    at_empty: AtEmpty::GoesOn,
+};
+
+/// The walk, looked up rightly but for what is changed.
+pub(super) fn looked_up(q: &TwoLevelWalk, change: fn(&mut Look)) -> Vec<u32> {
+    let how = changed(WELL, change);
     let levels = q.levels();
     let n = levels.top.resolution;
     let mut places = Vec::new();
     walk(&levels.top, &q.ray, q.within, |coarse, inside| {
-        let place = coarse_place(coarse.into(), n.into()) as usize;
+        let place = (how.coarse)(coarse.into(), n.into()) as usize;
         let Some(cut) = levels.cuts.get(place) else {
             return ControlFlow::Continue(());
         };
         if cut.resolution.x == 0 {
-            match at_empty {
+            match how.at_empty {
                 AtEmpty::GoesOn => {}
                 AtEmpty::Ends => return ControlFlow::Break(()),
                 AtEmpty::Visits => places.push(cut.first),
@@ -83,7 +98,7 @@ pub(super) fn looked_up(
         let before = places.len();
         walk(&levels.cut(fine), &q.ray, inside, |cell, _| {
             let cell = cell.clamp(begin, begin + last) - begin;
-            let place = cut.first + fine_place(cell.into(), fine.into());
+            let place = cut.first + (how.fine)(cell.into(), fine.into());
             if places[before..].last() != Some(&place) {
                 places.push(place);
             }
@@ -120,7 +135,7 @@ pub(super) fn by_boxes(q: &TwoLevelWalk, change: Boxes) -> Vec<u32> {
 }
 
 /// The place of a cell if those along x come first, then those along y.
-pub(super) fn along_x([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
+fn along_x([x, y, z]: [u32; 3], [nx, ny, _]: [u32; 3]) -> u32 {
     x + nx * (y + ny * z)
 }
 

@@ -126,6 +126,18 @@ impl Graded for PointLightExercise {
             },
         },
         Mistake {
+            name: "returns the whole intensity at the light itself, from no direction",
+            hint: "Stand where the light is: in which direction would you look for it? How does an answer say that there is none?",
+            answer: |q| {
+                let there = Arriving {
+                    toward: Vec3::ZERO,
+                    distance: 0.0,
+                    arriving: q.intensity,
+                };
+                PointLightExercise::right(q).or(Some(there))
+            },
+        },
+        Mistake {
             name: "lets the light fall off with the cube of the distance",
             hint: "How does a sphere's area grow with its radius? Is a vector that you divide by normalised already?",
             answer: |q| falling_off(q, |r| 1.0 / (r * r * r)),

@@ -1,6 +1,7 @@
 //! `trace`: random questions, judge and mistakes.
 
 use super::slip::{Slip, answer, without};
+use super::tracer::is_from_behind;
 use crate::{Flaw, Graded, Mistake, Picture, Verdict, judge, sample};
 use glam::{Vec3, vec2, vec3};
 use rand::RngExt;
@@ -134,6 +135,8 @@ impl Graded for Trace {
             "your answer is black, and there is light".to_owned()
         } else if *golden == Rgb::BLACK {
             "everything should be black here".to_owned()
+        } else if lit_by_nothing(q, got) && is_seen_from_behind(q) {
+            "your answer is the ambient light alone, and you see the surface from behind: does the normal of its lit side point to you".to_owned()
         } else if lit_by_nothing(q, got) {
             "your answer is the ambient light alone: no lamp adds anything. Does the normal point away from the viewer, or does the shadow ray meet the surface that it starts from".to_owned()
         } else if same_colour && ratio > 0.0 {
@@ -150,7 +153,12 @@ impl Graded for Trace {
 
     const FLAWS: &'static [Flaw] = &[
         Flaw {
-            complaint: "ambient light alone",
+            complaint: "ambient light alone, and you see the surface from behind",
+            name: "does not turn the normal to the viewer where a surface that lamps light is seen from behind",
+            hint: "From behind you see the other side of the surface: on which side of it is the lamp? And which of your vectors says which side you see?",
+        },
+        Flaw {
+            complaint: "ambient light alone: no lamp",
             name: "lets no lamp's light arrive: the shadow ray meets the surface that it starts from, or the normal points away from the viewer",
             hint: "Where does the way to the lamp begin: on the surface, or a little off it, on the side of the lamp? From behind, has the normal been turned?",
         },
@@ -699,6 +707,12 @@ fn lit_by_nothing(q: &Trace, got: &Rgb) -> bool {
         }
         _ => false,
     })
+}
+
+/// Whether the ray comes from the side away from which the normal of what it meets first points.
+fn is_seen_from_behind(q: &Trace) -> bool {
+    let nearest = q.scene.nearest(&q.ray);
+    nearest.is_some_and(|(object, hit)| is_from_behind(object, &q.ray, &hit))
 }
 
 /// What the ray meets first.

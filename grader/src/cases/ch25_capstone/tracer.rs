@@ -432,6 +432,6 @@ impl<'a> Tracer<'a> {
 }
 
 /// Whether a ray meets a surface from the side to which its normal does not point.
-fn is_from_behind(object: &Object, ray: &Ray, hit: &Hit) -> bool {
+pub(super) fn is_from_behind(object: &Object, ray: &Ray, hit: &Hit) -> bool {
     object.form.surface(ray, hit).normal.dot(*ray.direction) > 0.0
 }

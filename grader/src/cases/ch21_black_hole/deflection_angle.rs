@@ -4,7 +4,7 @@ mod cut;
 mod sums;
 
 use crate::{Flaw, Graded, Mistake, Verdict, judge, sample};
-use cut::{distance_of, followed};
+use cut::{begun_at, distance_of, followed, left_out};
 use rand::RngExt;
 use raybook::math::pcg::Pcg;
 use raybook::render::curved::CRITICAL;
@@ -24,6 +24,10 @@ const UNBOUNDED_HINT: &str = "Halve your steps: is the angle off by half as much
 
 /// What leads from a ray that is followed from a fixed distance on to the whole ray.
 const CUT_HINT: &str = "Begin twice as far away, and end there: does the angle of a ray with a large b change? How far away must a ray begin, compared with its b?";
+
+/// What is wrong with a ray that begins at some times its impact parameter, and what leads to what is missing.
+const LEFT_OUT: &str = "begins, or ends, at a distance of some times b, and leaves out the angle that the ray sweeps between there and infinity";
+const LEFT_OUT_HINT: &str = "Is every angle too small by the same? How large an angle does a straight ray sweep before it comes to your first distance, as seen from the hole?";
 
 impl Graded for DeflectionAngle {
     fn random(rng: &mut Pcg) -> DeflectionAngle {
@@ -47,6 +51,8 @@ impl Graded for DeflectionAngle {
             why.map_err(|why| {
                 if let Some(steps) = steps() {
                     format!("{why}: it is the sum of {steps} equal steps of 1/r up to the turning point")
+                } else if let Some(times) = left_out(b, f64::from(golden - got)) {
+                    format!("{why}: as much is missing as a straight ray sweeps on its way from infinity to the distance of {times} b")
                 } else if is_near {
                     format!("{why}: {COARSE}")
                 } else if let Some(distance) = distance() {
@@ -68,6 +74,11 @@ impl Graded for DeflectionAngle {
             complaint: "equal steps of 1/r up to the turning point",
             name: UNBOUNDED,
             hint: UNBOUNDED_HINT,
+        },
+        Flaw {
+            complaint: "sweeps on its way from infinity",
+            name: LEFT_OUT,
+            hint: LEFT_OUT_HINT,
         },
         Flaw {
             complaint: "radii before the hole and ends as far behind",
@@ -206,6 +217,11 @@ impl Graded for DeflectionAngle {
             name: UNBOUNDED,
             hint: UNBOUNDED_HINT,
             answer: |q| escapes(q).map(|b| sum(b.into(), 1000) as f32),
+        },
+        Mistake {
+            name: LEFT_OUT,
+            hint: LEFT_OUT_HINT,
+            answer: |q| begun_at(q, 30.0),
         },
         Mistake {
             name: "follows the ray only from 10 radii before the hole to the same distance behind",

@@ -69,3 +69,32 @@ pub(super) fn distance_of(b: f64, got: f64) -> Option<f64> {
     let is_near = |round: &f64| (near / round - 1.0).abs() < NEARLY;
     ROUND.into_iter().find(is_near)
 }
+
+/// The angle of a ray whose way begins at some `times` b, there with the slope du/dφ = 1/b of a ray that comes from infinity, where u = 1/r: it has
+/// a little more energy, and the angle from infinity on is left out.
+pub(super) fn begun_at(q: &DeflectionAngle, times: f64) -> Option<f32> {
+    /// Parts of the sum of the angle that is left out, which is nearly that of a straight ray.
+    const PARTS: u32 = 100;
+    let b = f64::from(q.impact_parameter);
+    let begin = 1.0 / (times * b);
+    let square = 1.0 / (b * b) + begin * begin - begin.powi(3);
+    let step = begin / f64::from(PARTS);
+    let slope = |u: f64| (square - u * u + u.powi(3)).sqrt();
+    let before: f64 = (0..PARTS)
+        .map(|i| step / slope((f64::from(i) + 0.5) * step))
+        .sum();
+    deflection_angle(1.0 / square.sqrt()).map(|whole| (whole - before) as f32)
+}
+
+/// How many times its impact parameter a ray is away where an angle of this size begins to count, or ends to: a round number. It is looked for only
+/// far from the hole, where the ray is nearly straight.
+pub(super) fn left_out(b: f64, missing: f64) -> Option<f64> {
+    /// Multiples that students take.
+    const ROUND: [f64; 9] = [5.0, 10.0, 15.0, 20.0, 25.0, 30.0, 40.0, 50.0, 100.0];
+    /// By which share the angle may be off.
+    const NEARLY: f64 = 0.01;
+    /// The least impact parameter in this sense.
+    const FAR: f64 = 4.0;
+    let is_near = |times: &f64| (missing / (1.0 / times).asin() - 1.0).abs() < NEARLY;
+    ROUND.into_iter().find(is_near).filter(|_| b > FAR)
+}

@@ -119,6 +119,16 @@ impl Graded for CircleOfConfusion {
             },
         },
         Mistake {
+            name: "divides by the focus instead of the distance, but not for a star",
+            hint: "Draw the cone from the point to the edge of the lens: how far from its tip is the lens? Does your formula for a star follow from the one for a point that is very far away?",
+            answer: |q| {
+                if q.distance.is_infinite() {
+                    return Self::right(q);
+                }
+                q.lens().aperture() * (q.distance / q.focus - 1.0).abs() * q.magnification()
+            },
+        },
+        Mistake {
             name: "divides by the focal length instead of the distance at which the point is sharp",
             hint: "Behind the lens, the cone's tip is where the point would be sharp: how far from the lens is that?",
             answer: |q| {

@@ -425,6 +425,17 @@ impl Graded for ConcentricDisk {
             },
         },
         Mistake {
+            name: "clamps to the square what the shift moves out of it (by radius and angle)",
+            hint: "Many of your points are at the rim of the disc: on which side does a point come in that leaves the square on the right?",
+            answer: |q| {
+                in_disc(q, |how| {
+                    how.points =
+                        |q| shifted(q, |moved, right| vec2(moved.x.clamp(0.0, 1.0), right.y));
+                    how.map = by_angle;
+                })
+            },
+        },
+        Mistake {
             name: "does not bring back into the square what the shift moves out of it (by radius and angle)",
             hint: "The points are fractional parts: what becomes of a coordinate above 1, and of your radius?",
             answer: |q| {

@@ -94,6 +94,15 @@ impl Graded for PanoramaRay {
             },
         },
         Mistake {
+            name: "rises along the world's +y, not along the camera's up",
+            hint: "Tilt the camera: is straight up for the camera still +y? And how long is the sum of two directions that are not perpendicular?",
+            answer: |q| {
+                let level = along(q, TAU * (q.film.x - 0.5), 0.5 * PI).direction;
+                let (sin, cos) = (PI * q.film.y).sin_cos();
+                ray(q, sin * level + cos * Vec3::Y)
+            },
+        },
+        Mistake {
             name: "confuses up and forward",
             hint: "Around which of the camera's axes does the picture go from left to right?",
             answer: |q| Self::misread(q, |q| std::mem::swap(&mut q.up, &mut q.forward)),

@@ -96,7 +96,7 @@ impl Found {
 
     /// Whether most of what it explains is as it says to the last digits. Guesses are many: within a judge's tolerance, one or another
     /// fits by chance.
-    fn is_sharp(&self) -> bool {
+    pub fn is_sharp(&self) -> bool {
         2 * self.score.sharp >= self.score.explained
     }
 

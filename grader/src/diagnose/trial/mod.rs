@@ -6,7 +6,9 @@
 
 mod suspects;
 
-use super::evidence::Evidence;
+use super::evidence::{Evidence, Item};
+use super::misread::misreadings;
+use super::search::search;
 use super::ties::{is_settled, leaves};
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
@@ -37,7 +39,10 @@ const DRAWN: usize = 2000;
 const FEWEST: usize = 40;
 
 /// Different answers that tell a guess from others.
-const VARIED: usize = 4;
+const VARIED: usize = 3;
+
+/// Wrong answers after which who explains all of them is told for certain, where no other explanation is asked about.
+const SURE: usize = 16;
 
 /// Wrong answers that a second mistake explains by chance.
 const BY_CHANCE: usize = 1;
@@ -52,7 +57,8 @@ const ROUNDS: usize = 3;
 pub struct Trial<'a> {
     evidence: Evidence<'a>,
     told: &'a Diagnosis,
-    /// What is told is the first of them. None where answers are compared by their traits.
+    /// What is told is the first of them. None where answers are compared by their traits, and where what is told is made of right answers, and
+    /// has none to questions that were not asked.
     suspects: Vec<Suspect<'a>>,
     /// The further questions.
     pub cases: Vec<Case>,
@@ -87,12 +93,19 @@ impl<'a> Trial<'a> {
                 let cases = telling(&evidence, &suspects, rng);
                 (suspects, cases)
             }
-            _ if evidence.is_judged() => return None,
             _ => {
-                examiner.mistake_called(&told.name)?;
-                let random = (0..ROUNDS).map(|_| examiner.try_random_cases(rng));
+                let rounds = if evidence.is_judged() {
+                    // Of half of the answers there is more to find than the same again.
+                    let is_whole = told.explained == told.wrong && told.wrong >= ENOUGH;
+                    usize::from(is_whole && told.beside == Beside::Apart)
+                } else {
+                    examiner.mistake_called(&told.name)?;
+                    ROUNDS
+                };
+                let random = (0..rounds).map(|_| examiner.try_random_cases(rng));
                 let random = random.collect::<Result<Vec<_>, _>>().ok()?;
-                let cases = random.into_iter().flat_map(|one| one.cases).collect();
+                let cases: Vec<_> = random.into_iter().flat_map(|one| one.cases).collect();
+                cases.first()?;
                 (Vec::new(), cases)
             }
         };
@@ -106,7 +119,7 @@ impl<'a> Trial<'a> {
 
     /// Whether more questions may tell what these did not: traits of more answers scatter less.
     pub fn is_open(&self) -> bool {
-        self.suspects.is_empty()
+        self.suspects.is_empty() && !self.evidence.is_judged()
     }
 
     /// What is told after it: for certain, if all is as one suspect says, and no right answer denied it before; else none. `cases` and
@@ -114,6 +127,9 @@ impl<'a> Trial<'a> {
     pub fn verdict(&self, cases: &[Case], answers: &[(Option<String>, bool)]) -> Option<Diagnosis> {
         // Of all answers together it is known best how estimates scatter.
         let all = self.evidence.and_further(cases, answers);
+        if self.suspects.is_empty() && self.evidence.is_judged() {
+            return self.found_again(&all);
+        }
         if self.suspects.is_empty() {
             let found = spread::search(&all, None).filter(|found| found.is_alone)?;
             let further = found.diagnosis.explained.checked_sub(self.told.explained)?;
@@ -138,8 +154,13 @@ impl<'a> Trial<'a> {
             return None;
         }
         // Yes and no are those of many guesses.
-        let wrong = evidence.items[..evidence.wrong].iter();
-        let differ: BTreeSet<&str> = wrong.map(|item| item.text.trim()).collect();
+        let differ = |items: &[Item]| {
+            let texts: BTreeSet<_> = items.iter().map(|item| item.text.trim()).collect();
+            texts.len()
+        };
+        let is_varied = differ(&evidence.items[..evidence.wrong]) >= VARIED;
+        // The other ways to misread a question are suspects, too.
+        let is_sure = evidence.wrong >= SURE && differ(&evidence.items) > 1;
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
             let score = evidence.score(1.0, answer);
@@ -147,12 +168,21 @@ impl<'a> Trial<'a> {
             let share = if suspect.is_two() { NEARLY_ALL } else { HALF };
             let in_all = all.score(share, |k| (suspect.answer)(&all.items[k].question));
             score.zip(in_all).is_some_and(|(score, in_all)| {
-                let is_sharp = score.sharp == score.explained && differ.len() >= VARIED;
-                let is_told = !suspect.is_guess || is_sharp;
+                let is_sharp = 2 * score.sharp >= score.explained;
+                let is_told =
+                    !suspect.is_guess || is_sharp && (is_varied || suspect.is_read && is_sure);
                 score.missed + in_all.contradicted == 0 && !in_all.is_doubtful && is_told
             })
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
+        // What a judge takes for the answers is not the mistake, where something else gives them to the last digits.
+        let sharp = |suspect: &Suspect<'_>| {
+            let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
+            evidence.score(1.0, answer).map_or(0, |score| score.sharp)
+        };
+        if left.iter().any(|suspect| sharp(suspect) == evidence.wrong) {
+            left.retain(|suspect| 2 * sharp(suspect) >= evidence.wrong);
+        }
         // One of the exercise's own says more than a guess, and one that explains as much as two is simpler.
         left.sort_by_key(|suspect| (suspect.is_guess, suspect.is_two()));
         let (first, others) = left.split_first()?;
@@ -188,6 +218,21 @@ impl<'a> Trial<'a> {
         };
         let also = first.also.as_ref().filter(|also| !is_acquitted(also));
         is_the_one.then(|| self.convicted(&one, also))
+    }
+
+    /// What is told, for certain, if the same is found in all answers: to the last digits, and nothing else.
+    fn found_again(&self, all: &Evidence<'_>) -> Option<Diagnosis> {
+        let asked = all.examiner.asked();
+        let found = search(all, &misreadings(asked.question, all.examiner.limits()))?;
+        let again = found.told(all);
+        let further = again.explained.checked_sub(self.told.explained)?;
+        let is_clear = found.is_exact() && found.is_sharp() && !found.score.is_doubtful;
+        let is_alone = found.rival.is_none() && !found.is_categorical();
+        let is_same = names(&again) == names(self.told);
+        (is_clear && is_alone && is_same && further >= ENOUGH).then(|| Diagnosis {
+            further,
+            ..self.convicted(self.told, second(self.told))
+        })
     }
 
     /// What is told of a mistake for certain, and of another one with it, beside what there is to see of it, and what is told of other answers.

@@ -3,7 +3,7 @@
 use crate::attempt::attempt;
 use crate::diagnose::evidence::{Evidence, Score};
 use crate::diagnose::misread::{Misreading, misreadings};
-use crate::diagnose::pairs::{TOGETHER, of_two};
+use crate::diagnose::pairs::{SLOW, TOGETHER, of_two};
 use crate::diagnose::search::called;
 use crate::diagnose::slips::{Slipped, slipped};
 use crate::diagnose::{Beside, Diagnosis};
@@ -30,6 +30,8 @@ pub struct Suspect<'a> {
     pub answer: Answer<'a>,
     /// Whether it is none of the exercise's own: of guesses there are many.
     pub is_guess: bool,
+    /// Whether it is a question that was misread.
+    pub is_read: bool,
     /// How it explains the answers that are known.
     pub score: Score,
 }
@@ -51,17 +53,22 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
         is_near.then_some(score)
     };
-    let suspect = |(name, hint): (&str, &str), is_guess, also, answer: Answer<'a>| {
-        let score = near(&|k| answer(&evidence.items[k].question))?;
-        Some(Suspect {
-            name: name.to_owned(),
-            hint: hint.to_owned(),
-            also,
-            answer,
-            is_guess,
-            score,
-        })
-    };
+    let suspect =
+        |(name, hint): (&str, &str), is_guess, also: Option<Diagnosis>, answer: Answer<'a>| {
+            let score = near(&|k| answer(&evidence.items[k].question))?;
+            let is_two = also
+                .as_ref()
+                .is_some_and(|also| also.beside == Beside::Together);
+            Some(Suspect {
+                name: name.to_owned(),
+                hint: hint.to_owned(),
+                is_read: is_guess && !is_two && reading_called(examiner, name).is_some(),
+                also,
+                answer,
+                is_guess,
+                score,
+            })
+        };
     let words = (&*told.name, &*told.hint);
     let number = examiner.mistake_called(&told.name);
     let second = |beside| told.also.iter().find(move |also| also.beside == beside);
@@ -81,6 +88,11 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         let ways = ways.into_iter();
         let ways = ways.filter_map(|way| suspect(words, is_guess, Some(also.clone()), way));
         all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
+        if let [Some(one), Some(other)] = two
+            && examiner.limits().effort < SLOW
+        {
+            all.extend(other_pairs(evidence, [one, other], &also, &near));
+        }
     } else if let Some(number) = number {
         let also = second(Beside::Instead).cloned();
         all.extend(suspect(words, false, also, own(examiner, number)));
@@ -112,10 +124,54 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
             also: None,
             answer: own(examiner, i),
             is_guess: false,
+            is_read: false,
             score: score?,
         })
     }));
     all
+}
+
+/// How what is answered explains the answers that are known, if it gives nearly all of them.
+type Near<'a> = dyn Fn(&dyn Fn(usize) -> Option<Vec<f64>>) -> Option<Score> + Sync + 'a;
+
+/// Other two of the exercise's own mistakes that give nearly all answers, of which one is told, with this `second` mistake.
+fn other_pairs<'a>(
+    evidence: &Evidence<'a>,
+    [one, other]: [usize; 2],
+    second: &Diagnosis,
+    near: &Near<'_>,
+) -> Vec<Suspect<'a>> {
+    let mistakes = evidence.examiner.mistakes();
+    let others = (0..mistakes.len()).filter(|i| ![one, other].contains(i));
+    let pairs: Vec<_> = others.flat_map(|i| [[one, i], [other, i]]).collect();
+    let best = |&[one, other]: &[usize; 2]| {
+        let ways = ways(evidence, one, other).into_iter().enumerate();
+        let scores = ways.filter_map(|(number, way)| {
+            let score = near(&|k| way(&evidence.items[k].question))?;
+            Some((number, score))
+        });
+        scores.min_by_key(|(_, score)| score.missed + score.contradicted)
+    };
+    let best = pairs.iter().zip(each(&pairs, best));
+    let pairs = best.filter_map(|(&[one, other], best)| {
+        let (number, score) = best?;
+        let (name, hint) = mistakes[one];
+        let also = Diagnosis {
+            name: mistakes[other].0.to_owned(),
+            hint: mistakes[other].1.to_owned(),
+            ..second.clone()
+        };
+        Some(Suspect {
+            name: name.to_owned(),
+            hint: hint.to_owned(),
+            also: Some(also),
+            answer: ways(evidence, one, other).swap_remove(number),
+            is_guess: false,
+            is_read: false,
+            score,
+        })
+    });
+    pairs.collect()
 }
 
 /// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle.
@@ -238,8 +294,13 @@ fn slip_of(evidence: &Evidence<'_>, told: &Diagnosis) -> Option<Slipped> {
 
 /// The way to misread the question that is told.
 fn reading_of(examiner: &dyn Examiner, told: &Diagnosis) -> Option<Misreading> {
+    reading_called(examiner, &told.name)
+}
+
+/// The way to misread the question that has this name.
+fn reading_called(examiner: &dyn Examiner, name: &str) -> Option<Misreading> {
     let readings = misreadings(examiner.asked().question, examiner.limits());
-    readings.into_iter().find(|one| one.name == told.name)
+    readings.into_iter().find(|one| one.name == name)
 }
 
 /// The right answers to questions that are misread.

@@ -55,7 +55,8 @@ pub fn decide(
         let next_to = |_| beside(evidence.examiner, &item.question, SOME, rng);
         let next_to: Vec<_> = (0..TRIES).map(next_to).collect();
         // Where rounding would make a right answer wrong, numbers are chosen so that it decides nothing.
-        if !stays_right(evidence.examiner, &item.question, &next_to) {
+        let right = |question: &[f64]| called(evidence.examiner.asked(), question);
+        if !stays(evidence.examiner, &item.question, &next_to, &right) {
             continue;
         }
         let tries: Vec<_> = next_to.iter().map(|next| answer(next)).collect();
@@ -110,20 +111,29 @@ fn is_alike(answer: &[f64], others: &[Option<Vec<f64>>]) -> bool {
     others.any(|other| other.len() == answer.len())
 }
 
-/// Whether the right answer stays right if the question's round numbers, too, differ in their last digits: not where a ray runs between two
-/// cells, and rounding decides through which of them it goes.
-pub fn is_settled(examiner: &dyn Examiner, question: &[f64], rng: &mut Pcg) -> bool {
+/// Whether an `answer` stays the same to its judge if the question's round numbers, too, differ in their last digits: not where a ray runs
+/// between two cells, and rounding decides through which of them it goes.
+pub fn is_settled(
+    examiner: &dyn Examiner,
+    question: &[f64],
+    answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+    rng: &mut Pcg,
+) -> bool {
     let next_to = |_| beside(examiner, question, 1.0, rng);
     let next_to: Vec<_> = (0..BESIDE).map(next_to).collect();
-    stays_right(examiner, question, &next_to)
+    stays(examiner, question, &next_to, answer)
 }
 
-/// Whether the right answers to questions next to one are right answers to that one.
-fn stays_right(examiner: &dyn Examiner, question: &[f64], next_to: &[Vec<f64>]) -> bool {
-    let answer = |question: &[f64]| called(examiner.asked(), question);
-    let golden = answer(question);
+/// Whether the answers to questions next to one are answers to that one, too.
+fn stays(
+    examiner: &dyn Examiner,
+    question: &[f64],
+    next_to: &[Vec<f64>],
+    answer: &dyn Fn(&[f64]) -> Option<Vec<f64>>,
+) -> bool {
+    let here = answer(question);
     next_to.iter().all(|next| {
-        let both = golden.as_ref().zip(answer(next));
-        both.is_some_and(|(golden, answer)| examiner.compare(question, golden, &answer).is_ok())
+        let both = here.as_ref().zip(answer(next));
+        both.is_some_and(|(here, next)| examiner.compare(question, here, &next).is_ok())
     })
 }

@@ -8,7 +8,7 @@ mod suspects;
 
 use super::evidence::{Evidence, Item};
 use super::misread::misreadings;
-use super::search::search;
+use super::search::{called, search};
 use super::ties::{is_settled, leaves};
 use super::{Beside, Diagnosis, spread};
 use crate::examine::{Case, Examiner, visible_rng};
@@ -46,6 +46,9 @@ const SURE: usize = 16;
 
 /// Wrong answers that a second mistake explains by chance.
 const BY_CHANCE: usize = 1;
+
+/// Of this many estimates, one may be off by more than chance makes most.
+const MANY: usize = 20;
 
 /// The share of all wrong answers that two mistakes explain together.
 const NEARLY_ALL: f64 = 0.95;
@@ -163,7 +166,13 @@ impl<'a> Trial<'a> {
         let is_sure = evidence.wrong >= SURE && differ(&evidence.items) > 1;
         let is_left = |suspect: &&Suspect<'_>| {
             let answer = |k: usize| (suspect.answer)(&evidence.items[k].question);
-            let score = evidence.score(1.0, answer);
+            let most_missed = if evidence.is_rough() {
+                evidence.wrong / MANY
+            } else {
+                0
+            };
+            let share_given = 1.0 - most_missed as f64 / evidence.wrong as f64;
+            let score = evidence.score(share_given, answer);
             // Of many pairs, one or another explains half of all.
             let share = if suspect.is_two() { NEARLY_ALL } else { HALF };
             let in_all = all.score(share, |k| (suspect.answer)(&all.items[k].question));
@@ -171,7 +180,8 @@ impl<'a> Trial<'a> {
                 let is_sharp = 2 * score.sharp >= score.explained;
                 let is_told =
                     !suspect.is_guess || is_sharp && (is_varied || suspect.is_read && is_sure);
-                score.missed + in_all.contradicted == 0 && !in_all.is_doubtful && is_told
+                let is_given = score.missed <= most_missed && in_all.contradicted == 0;
+                is_given && !in_all.is_doubtful && is_told
             })
         };
         let mut left: Vec<_> = self.suspects.iter().filter(is_left).collect();
@@ -190,8 +200,11 @@ impl<'a> Trial<'a> {
         let is_same = |other: &&Suspect<'_>| {
             let mut items = evidence.items.iter();
             !first.is_guess
-                && items
-                    .all(|item| (first.answer)(&item.question) == (other.answer)(&item.question))
+                && items.all(|item| {
+                    let [one, other] =
+                        [first, other].map(|suspect| (suspect.answer)(&item.question));
+                    same(one.as_deref(), other.as_deref())
+                })
         };
         let explains_more = |other: &&Suspect<'_>| {
             other.is_two() && other.score.explained > first.score.explained + BY_CHANCE
@@ -226,7 +239,8 @@ impl<'a> Trial<'a> {
         let found = search(all, &misreadings(asked.question, all.examiner.limits()))?;
         let again = found.told(all);
         let further = again.explained.checked_sub(self.told.explained)?;
-        let is_clear = found.is_exact() && found.is_sharp() && !found.score.is_doubtful;
+        let is_sharp = found.is_sharp() || found.score.sharp >= SURE;
+        let is_clear = found.is_exact() && is_sharp && !found.score.is_doubtful;
         let is_alone = found.rival.is_none() && !found.is_categorical();
         let is_same = names(&again) == names(self.told);
         (is_clear && is_alone && is_same && further >= ENOUGH).then(|| Diagnosis {
@@ -291,6 +305,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         return Vec::new();
     };
     let examiner = evidence.examiner;
+    let right = |question: &[f64]| called(examiner.asked(), question);
     let wrong = evidence.items[..evidence.wrong].iter().enumerate();
     let explained = wrong.filter(|(k, item)| {
         let answer = (first.answer)(&item.question);
@@ -331,14 +346,17 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         if shows && shown == SHOWN || !shows && hidden == HIDDEN {
             continue;
         }
-        let differs = |other: &Suspect<'_>| (other.answer)(&question).as_ref() != Some(&answer);
+        let differs =
+            |other: &Suspect<'_>| !same((other.answer)(&question).as_deref(), Some(&answer));
         let differ: Vec<_> = others.iter().map(|other| shows && differs(other)).collect();
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
         let is_wanted = !shows || tells || shown < least;
-        // What rounding decides, it decides in a scaled question as in the one that was asked.
+        // What rounding decides, it decides in a scaled question as in the one that was asked. Of two mistakes it decides more than of one.
         let is_fair = |rng: &mut Pcg| {
-            is_scaled || is_stable(examiner, &question, rng) && is_settled(examiner, &question, rng)
+            let mut is_settled = |answer| is_settled(examiner, &question, answer, rng);
+            let are_settled = is_settled(&right) && (!first.is_two() || is_settled(&*first.answer));
+            is_scaled || are_settled && is_stable(examiner, &question, rng)
         };
         if !is_wanted || !is_fair(rng) {
             continue;
@@ -364,6 +382,20 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         }
     }
     cases
+}
+
+/// Whether two answers are the same but for the last digits, which hang on the order in which two mistakes are made.
+fn same(one: Option<&[f64]>, other: Option<&[f64]>) -> bool {
+    /// Numbers that differ by no more than this share of them are one number.
+    const SAME: f64 = 1e-6;
+    let (Some(one), Some(other)) = (one, other) else {
+        return one.is_none() && other.is_none();
+    };
+    let mut pairs = one.iter().zip(other);
+    let near = |(a, b): (&f64, &f64)| {
+        a == b || a.is_nan() && b.is_nan() || (a - b).abs() <= SAME * a.abs().max(b.abs())
+    };
+    one.len() == other.len() && pairs.all(near)
 }
 
 /// A question whose numbers are a fifth larger or smaller at most, but for whole ones.

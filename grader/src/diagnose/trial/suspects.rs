@@ -145,7 +145,10 @@ fn other_pairs<'a>(
     let others = (0..mistakes.len()).filter(|i| ![one, other].contains(i));
     let pairs: Vec<_> = others.flat_map(|i| [[one, i], [other, i]]).collect();
     let best = |&[one, other]: &[usize; 2]| {
-        let ways = ways(evidence, one, other).into_iter().enumerate();
+        // Beside each other, two may give by chance what one upon another does.
+        let ways = upon_ways(evidence.examiner, one, other)
+            .into_iter()
+            .enumerate();
         let scores = ways.filter_map(|(number, way)| {
             let score = near(&|k| way(&evidence.items[k].question))?;
             Some((number, score))
@@ -165,7 +168,7 @@ fn other_pairs<'a>(
             name: name.to_owned(),
             hint: hint.to_owned(),
             also: Some(also),
-            answer: ways(evidence, one, other).swap_remove(number),
+            answer: upon_ways(evidence.examiner, one, other).swap_remove(number),
             is_guess: false,
             is_read: false,
             score,
@@ -177,18 +180,23 @@ fn other_pairs<'a>(
 /// What one answers who makes two of the exercise's own mistakes: one upon the other, or each where the other does not meddle.
 fn ways<'a>(evidence: &Evidence<'a>, one: usize, other: usize) -> Vec<Answer<'a>> {
     let examiner = evidence.examiner;
-    let upon = |first, second| -> Answer<'a> {
-        Box::new(move |question| {
-            let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
-            answer.map(|(answer, _)| answer)
-        })
-    };
-    let mut ways = vec![upon(one, other), upon(other, one)];
+    let mut ways = upon_ways(examiner, one, other);
     ways.extend(beside_ways(
         examiner,
         [own(examiner, one), own(examiner, other)],
     ));
     ways
+}
+
+/// What one answers who makes one of the exercise's own mistakes upon the other.
+fn upon_ways(examiner: &dyn Examiner, one: usize, other: usize) -> Vec<Answer<'_>> {
+    let upon = |first, second| -> Answer<'_> {
+        Box::new(move |question| {
+            let answer = attempt(|| examiner.mistakes_answer(first, second, question))?;
+            answer.map(|(answer, _)| answer)
+        })
+    };
+    vec![upon(one, other), upon(other, one)]
 }
 
 /// What one answers who makes one of the exercise's own mistakes.

@@ -209,7 +209,14 @@ impl<'a> Trial<'a> {
         let explains_more = |other: &&Suspect<'_>| {
             other.is_two() && other.score.explained > first.score.explained + BY_CHANCE
         };
-        let is_the_one = others.iter().all(|one| is_same(one) && !explains_more(one));
+        // In whatever order they are made, two are these two.
+        let is_named_so = |other: &Suspect<'_>| {
+            let second =
+                |suspect: &Suspect<'_>| suspect.also.as_ref().map(|also| also.name.clone());
+            other.is_two() && other.name == first.name && second(other) == second(first)
+        };
+        let is_the_one =
+            (others.iter()).all(|one| is_named_so(one) || is_same(one) && !explains_more(one));
         let one = Diagnosis {
             name: first.name.clone(),
             hint: first.hint.clone(),

@@ -87,7 +87,9 @@ pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a
         let is_guess = two.contains(&None);
         let ways = ways.into_iter();
         let ways = ways.filter_map(|way| suspect(words, is_guess, Some(also.clone()), way));
-        all.extend(ways.min_by_key(|way| way.score.missed + way.score.contradicted));
+        all.extend(ways);
+        // In either order two may give all answers that are known, and not those to further questions.
+        all.sort_by_key(|way| way.score.missed + way.score.contradicted);
         if let [Some(one), Some(other)] = two
             && examiner.limits().effort < SLOW
         {

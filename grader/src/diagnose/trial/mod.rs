@@ -359,11 +359,17 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         let mut each = told_from.iter().zip(&differ);
         let tells = each.any(|(count, differs)| *differs && *count < ENOUGH);
         let is_wanted = !shows || tells || shown < least;
-        // What rounding decides, it decides in a scaled question as in the one that was asked. Of two mistakes it decides more than of one.
         let is_fair = |rng: &mut Pcg| {
+            // What rounding decides, it decides in a scaled question as in the one that was asked; not always as its judge does.
+            if is_scaled {
+                let right = right(&question);
+                return right.is_some_and(|right| examiner.is_right(&question, &right));
+            }
+            // Of two mistakes it decides more than of one.
             let mut is_settled = |answer| is_settled(examiner, &question, answer, rng);
-            let are_settled = is_settled(&right) && (!first.is_two() || is_settled(&*first.answer));
-            is_scaled || are_settled && is_stable(examiner, &question, rng)
+            is_settled(&right)
+                && (!first.is_two() || is_settled(&*first.answer))
+                && is_stable(examiner, &question, rng)
         };
         if !is_wanted || !is_fair(rng) {
             continue;

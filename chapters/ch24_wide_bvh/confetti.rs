@@ -1,6 +1,8 @@
 //! A teapot in a heap of confetti, in the light of the sky: many small triangles, and many rays for each pixel.
+//!
+//! The book's live picture is made of this very file (`book/live`): it uses nothing that a browser has not.
 
-use crate::kit::palette::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, linear};
+use crate::kit::okabe_ito::{BLUE, GREEN, ORANGE, PURPLE, SKY, VERMILION, linear};
 use crate::shared::outdoors;
 use glam::{Vec3, vec2, vec3};
 use rand::{Rng, RngExt};
@@ -24,6 +26,8 @@ pub(super) struct Confetti {
     pub mesh: Mesh,
     /// Facets with a lower number belong to the teapot.
     teapot: u32,
+    /// The colours of the paper.
+    paper: [Rgb; 6],
 }
 
 impl Confetti {
@@ -62,6 +66,7 @@ impl Confetti {
             mesh: Mesh::new(positions, triangles, Some(normals), None)
                 .unwrap_or_else(|error| unreachable!("confetti is finite: {error}")),
             teapot: teapot.triangles().len() as u32,
+            paper: [BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY].map(linear),
         }
     }
 
@@ -121,8 +126,7 @@ impl Confetti {
         if hit.id < self.teapot {
             return Rgb::new(0.50, 0.56, 0.55);
         }
-        let paper = [BLUE, ORANGE, GREEN, VERMILION, PURPLE, SKY];
-        linear(paper[(hit.id.wrapping_mul(2_654_435_761) >> 16) as usize % paper.len()])
+        self.paper[(hit.id.wrapping_mul(2_654_435_761) >> 16) as usize % self.paper.len()]
     }
 }
 
@@ -136,9 +140,14 @@ fn shading(at: &Surface, inward: bool) -> Dir3 {
     if inward { -smooth } else { smooth }
 }
 
-/// Looks at the heap from above its front.
-pub(super) fn camera(aspect: f32) -> Pinhole {
-    let (from, to) = (vec3(0.5, 0.62, 1.35), vec3(0.02, 0.2, 0.0));
-    Pinhole::look_at(from, to, Vec3::Y, 0.045, aspect)
-        .unwrap_or_else(|error| unreachable!("the direction is fixed: {error}"))
+/// Where the camera of the picture is, above the front of the heap.
+pub(super) const EYE: Vec3 = vec3(0.5, 0.62, 1.35);
+
+/// Where a camera looks.
+pub(super) const MIDDLE: Vec3 = vec3(0.02, 0.2, 0.0);
+
+/// Looks at the middle of the heap, from any place but straight above or below.
+pub(super) fn camera(eye: Vec3, aspect: f32) -> Pinhole {
+    Pinhole::look_at(eye, MIDDLE, Vec3::Y, 0.045, aspect)
+        .unwrap_or_else(|error| unreachable!("the direction is not upright: {error}"))
 }

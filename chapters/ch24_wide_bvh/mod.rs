@@ -52,7 +52,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let film = stage.film_of(960, 8, 1.78);
     let confetti = Confetti::new(knobs.pieces);
     let tree = WideBvh::new(confetti.mesh.facets());
-    let camera = confetti::camera(film.aspect());
+    let camera = confetti::camera(confetti::EYE, film.aspect());
     if stage.wants("picture") {
         let rays = AtomicU64::new(0);
         let follow = |place, numbers: &mut Even| {

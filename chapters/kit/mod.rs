@@ -12,6 +12,7 @@ pub mod html;
 pub mod knobs;
 pub mod numbers;
 pub mod of_each;
+pub mod okabe_ito;
 pub mod options;
 pub mod palette;
 pub mod paper;

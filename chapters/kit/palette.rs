@@ -1,5 +1,6 @@
 //! Colours that colour-blind people can tell apart.
 
+use super::okabe_ito;
 use glam::Vec3;
 use plotters::style::{
     RGBColor,
@@ -7,18 +8,18 @@ use plotters::style::{
 };
 use raybook::image::{rgb::Rgb, tone};
 
-/// Okabe and Ito's palette (2008), in the order in which a plot takes its colours.
-pub const BLUE: RGBColor = RGBColor(0, 114, 178);
+/// The first colour of Okabe and Ito's palette, in the order in which a plot takes its colours.
+pub const BLUE: RGBColor = plotted(okabe_ito::BLUE);
 /// The second colour.
-pub const ORANGE: RGBColor = RGBColor(230, 159, 0);
+pub const ORANGE: RGBColor = plotted(okabe_ito::ORANGE);
 /// The third colour.
-pub const GREEN: RGBColor = RGBColor(0, 158, 115);
+pub const GREEN: RGBColor = plotted(okabe_ito::GREEN);
 /// The fourth colour.
-pub const VERMILION: RGBColor = RGBColor(213, 94, 0);
+pub const VERMILION: RGBColor = plotted(okabe_ito::VERMILION);
 /// The fifth colour.
-pub const PURPLE: RGBColor = RGBColor(204, 121, 167);
+pub const PURPLE: RGBColor = plotted(okabe_ito::PURPLE);
 /// The sixth colour.
-pub const SKY: RGBColor = RGBColor(86, 180, 233);
+pub const SKY: RGBColor = plotted(okabe_ito::SKY);
 /// Text and axes.
 pub const INK: RGBColor = RGBColor(40, 40, 40);
 /// Guides, and lines of little importance.
@@ -33,7 +34,12 @@ pub fn viridis(x: f32) -> Rgb {
 /// A display's colour as linear values.
 pub fn linear(colour: RGBColor) -> Rgb {
     let RGBColor(r, g, b) = colour;
-    Rgb::new(f32::from(r), f32::from(g), f32::from(b)).map(|code| tone::decode_srgb(code / 255.0))
+    okabe_ito::linear([r, g, b])
+}
+
+/// A colour for plots.
+const fn plotted([r, g, b]: [u8; 3]) -> RGBColor {
+    RGBColor(r, g, b)
 }
 
 /// The colour of a direction: −1 … 1 along x, y, z is 0 … 1 of the display's red, green, blue.

@@ -1,7 +1,7 @@
 // Looks at pages in Chromium. Called by `tests/pages`: Chromium's file, the address of a watch, the file that is wrong in it, that file without the
 // mistake, a folder for pictures (or nothing), and more addresses or files.
 import puppeteer from "puppeteer-core";
-import { copyFileSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
+import { copyFileSync, existsSync, mkdirSync, readdirSync, readFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { dirname, join } from "node:path";
 import { pathToFileURL } from "node:url";
@@ -193,6 +193,49 @@ for (const word of book ? ["AABB", "aliasing", "radiance", "bounding box", "SAH"
   const found = await page.$eval(first, one => one.getAttribute("href"));
   if (!/^(ch\d|radiometry|monte_carlo|glossary\.html.*#)/.test(found)) fault(`a search for "${word}" leads to ${found} first`);
   await page.close();
+}
+// The live picture of chapter 24, where the book was built with it: it draws, also by the other kernel, is turned by keys and by a drag, and
+// comes to rest.
+const wide = lessons.find(lesson => lesson.endsWith("ch24_wide_bvh.html"));
+if (wide && existsSync(join(book, "theme/module.js"))) {
+  for (const [width, scheme] of views) {
+    const view = await open(pathToFileURL(wide).href, width, scheme), { page, fault } = view;
+    await page.click(".live .begin");
+    await page.waitForSelector(".live canvas", { timeout: 60_000 });
+    const shot = async () => (await (await page.$(".live canvas")).screenshot({ captureBeyondViewport: false })).toString("base64");
+    const state = () => page.$eval(".kernels .state", one => one.textContent);
+    const speed = i => page.$$eval(".kernels output", (all, i) => Number(all[i].textContent), i);
+    const begun = () => page.waitForFunction(() => /^[1-9]/.test(document.querySelector(".kernels .state").textContent), { timeout: 60_000 });
+    const turns = () => new Promise(later => setTimeout(later, 1_000)); // a glance, and then another picture is begun
+    await begun();
+    await examine(view, `live-${width}-${scheme}`);
+    if (!(await speed(0) > 0)) fault("the live picture tells no speed");
+    const turned = [await shot()];
+    await page.focus(".live canvas");
+    await page.keyboard.press("ArrowLeft");
+    await turns();
+    await begun();
+    turned.push(await shot());
+    const { x, y, width: across, height } = await (await page.$(".live canvas")).boundingBox();
+    await page.mouse.move(x + across / 2, y + height / 2);
+    await page.mouse.down();
+    await page.mouse.move(x + across / 4, y + height / 2, { steps: 4 });
+    await page.mouse.up();
+    await turns();
+    await begun();
+    turned.push(await shot());
+    if (new Set(turned).size < turned.length) fault("the live picture is not turned by a key and a drag");
+    if (!page.url().endsWith("ch24_wide_bvh.html")) fault("a key of the live picture turned the page");
+    await (await page.$$(".kernels input"))[1].click();
+    await page.waitForFunction(() => Number(document.querySelectorAll(".kernels output")[1].textContent) > 0, { timeout: 60_000 });
+    if (width === views[0][0] && scheme === views[0][1]) {
+      await (await page.$$(".kernels input"))[0].click();
+      await page.waitForFunction(() => document.querySelector(".kernels .state").textContent === "64 of 64 samples a pixel", { timeout: 300_000 });
+      await turns();
+      if (!(await state()).startsWith("64 ")) fault(`the live picture does not rest: ${await state()}`);
+    }
+    await page.close();
+  }
 }
 await browser.close();
 

@@ -4,7 +4,7 @@
 (() => {
   "use strict";
   const main = document.querySelector("main"), root = document.documentElement;
-  const ALONE = "figure:has(img, svg), .tabs, table"; // each has a screen of its own, below its heading and at most a few lines
+  const ALONE = "figure:has(img, svg, canvas), .tabs, table"; // each has a screen of its own, below its heading and at most a few lines
   let screens = [], at = 0;
 
   // The parts of the page: its blocks, and each card of a gallery.
@@ -104,6 +104,7 @@
   // Before the book's own keys, of which the arrows turn pages.
   addEventListener("keydown", event => {
     if (event.ctrlKey || event.altKey || event.metaKey || event.target.matches?.("input:not([type=radio]), textarea, select")) return;
+    if (event.target.matches?.("canvas") && event.key.startsWith("Arrow")) return; // they turn the live picture
     const act = running() ? keys[event.key] : event.key === "p" && (() => start(visible()));
     const pressed = event.target.closest?.("a, button, summary, label");
     if (!act || pressed && ["Enter", " "].includes(event.key)) return;

@@ -398,8 +398,8 @@ fn paths_with_photons_see_what_paths_alone_see() {
         let found = photons.photons.all().len();
         assert!(found > 1000, "{name}: {found} photons have landed");
         for square in squares {
-            let alone = seen_below(&scene, &path, square, 60_000);
-            let with = seen_below(&scene, &photons, square, 6000);
+            let alone = seen_below(&scene, &path, square, 30_000);
+            let with = seen_below(&scene, &photons, square, 3000);
             let error = alone.error.hypot(with.error);
             let apart = (alone.mean - with.mean).abs();
             assert!(

@@ -161,7 +161,8 @@ fn common(outcomes: &[Outcome], wrong: usize) -> Option<Diagnosis> {
         name: death.name.to_owned(),
         hint: format!("{} {}", death.hint, told(first)),
         part: None,
-        certain: explained == wrong,
+        // An error's message is no guess.
+        certain: true,
         explained,
         wrong,
         further: 0,

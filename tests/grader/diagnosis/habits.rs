@@ -35,7 +35,7 @@ fn a_threshold_for_0_is_named() {
             right("triangle_normal", q)
         })
     });
-    let told = "takes a difference of less than 0.01 for none when it decides whether the triangle has no area";
+    let told = "takes what is within 0.01, or about that, for equal when it decides whether the triangle has no area";
     assert_eq!(found.name, told);
 }
 

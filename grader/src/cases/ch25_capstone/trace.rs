@@ -136,9 +136,9 @@ impl Graded for Trace {
         } else if *golden == Rgb::BLACK {
             "everything should be black here".to_owned()
         } else if lit_by_nothing(q, got) && is_seen_from_behind(q) {
-            "your answer is the ambient light alone, and you see the surface from behind: does the normal of its lit side point to you".to_owned()
+            "your answer is the ambient light alone, and you see the surface from behind, on the side away from its normal".to_owned()
         } else if lit_by_nothing(q, got) {
-            "your answer is the ambient light alone: no lamp adds anything. Does the normal point away from the viewer, or does the shadow ray meet the surface that it starts from".to_owned()
+            "your answer is the ambient light alone: no lamp adds anything".to_owned()
         } else if same_colour && ratio > 0.0 {
             format!("the colour is right, but {ratio:.3} times as bright as it should be")
         } else {

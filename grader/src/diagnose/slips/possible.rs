@@ -217,7 +217,7 @@ fn branches(met: &Met, is_one: bool) -> Vec<(String, &'static str, u32, Slip)> {
             }
             for (rank, least) in (10..).zip(NEAR) {
                 let near = format!(
-                    "takes a difference of less than {least} for none when it decides whether {name}"
+                    "takes what is within {least}, or about that, for equal when it decides whether {name}"
                 );
                 add(near, CONDITION, rank, Slip::Near(place, least));
             }

@@ -32,6 +32,9 @@ const ENOUGH_ROUGH: usize = 24;
 /// Questions on which it does not show.
 const HIDDEN: usize = 8;
 
+/// Questions after which none is looked for any longer on which it does not show, if there was none.
+const ALL_SHOW: usize = 100;
+
 /// Questions that are looked through, divided by the effort of an answer, …
 const DRAWN: usize = 2000;
 
@@ -328,6 +331,11 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     let mut told_from = vec![0; others.len()];
     let mut cases: Vec<Case> = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
+        let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
+        let are_hidden = hidden == HIDDEN || hidden == 0 && i >= ALL_SHOW;
+        if shown >= least && are_told && are_hidden {
+            break;
+        }
         // On another scale, one question is hardly more than itself: guesses, of which there are many, need other questions.
         let is_scaled = i % 4 == 3 && !first.is_guess && !explained.is_empty();
         let question = match explained.get(i / 4 % explained.len().max(1)) {
@@ -389,10 +397,6 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
             hidden += 1;
         }
         cases.push(case);
-        let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
-        if shown >= least && hidden == HIDDEN && are_told {
-            break;
-        }
     }
     cases
 }

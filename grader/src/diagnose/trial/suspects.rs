@@ -15,6 +15,9 @@ use std::rc::Rc;
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
 
+/// Other pairs that are suspects, those that give most.
+const MOST_PAIRS: usize = 4;
+
 /// The share of the wrong answers that is asked of a suspect first.
 pub const HALF: f64 = 0.5;
 
@@ -158,15 +161,18 @@ fn other_pairs<'a>(
         scores.min_by_key(|(_, score)| score.missed + score.contradicted)
     };
     let best = pairs.iter().zip(each(&pairs, best));
-    let pairs = best.filter_map(|(&[one, other], best)| {
-        let (number, score) = best?;
+    let best = best.filter_map(|(pair, best)| Some((pair, best?)));
+    let mut best: Vec<_> = best.collect();
+    best.sort_by_key(|(_, (_, score))| score.missed + score.contradicted);
+    best.truncate(MOST_PAIRS);
+    let pairs = best.into_iter().map(|(&[one, other], (number, score))| {
         let (name, hint) = mistakes[one];
         let also = Diagnosis {
             name: mistakes[other].0.to_owned(),
             hint: mistakes[other].1.to_owned(),
             ..second.clone()
         };
-        Some(Suspect {
+        Suspect {
             name: name.to_owned(),
             hint: hint.to_owned(),
             also: Some(also),
@@ -174,7 +180,7 @@ fn other_pairs<'a>(
             is_guess: false,
             is_read: false,
             score,
-        })
+        }
     });
     pairs.collect()
 }

@@ -18,7 +18,7 @@ use raybook::math::pcg::Pcg;
 use raybook_workbook::kind::Kind;
 use std::collections::BTreeSet;
 use std::iter;
-use suspects::{HALF, Suspect, suspects};
+use suspects::{BY_CHANCE, HALF, Suspect, suspects};
 
 /// Further questions on which the first suspect shows, at most.
 const SHOWN: usize = 32;
@@ -32,7 +32,7 @@ const ENOUGH_ROUGH: usize = 24;
 /// Questions on which it does not show.
 const HIDDEN: usize = 8;
 
-/// Questions after which none is looked for any longer on which it does not show, if there was none.
+/// Questions after which none is looked for any longer on which it does not show: it shows in nearly all.
 const ALL_SHOW: usize = 100;
 
 /// Questions that are looked through, divided by the effort of an answer, …
@@ -46,9 +46,6 @@ const VARIED: usize = 3;
 
 /// Wrong answers after which who explains all of them is told for certain, where no other explanation is asked about.
 const SURE: usize = 16;
-
-/// Wrong answers that a second mistake explains by chance.
-const BY_CHANCE: usize = 1;
 
 /// Of this many estimates, one may be off by more than chance makes most.
 const MANY: usize = 20;
@@ -196,6 +193,9 @@ impl<'a> Trial<'a> {
         if left.iter().any(|suspect| sharp(suspect) == evidence.wrong) {
             left.retain(|suspect| 2 * sharp(suspect) >= evidence.wrong);
         }
+        // Who makes two mistakes does not make one of them alone.
+        let all_left = left.clone();
+        left.retain(|one| !all_left.iter().any(|two| one.is_half_of(two)));
         // One of the exercise's own says more than a guess, and one that explains as much as two is simpler.
         left.sort_by_key(|suspect| (suspect.is_guess, suspect.is_two()));
         let (first, others) = left.split_first()?;
@@ -214,9 +214,7 @@ impl<'a> Trial<'a> {
         };
         // In whatever order they are made, two are these two.
         let is_named_so = |other: &Suspect<'_>| {
-            let second =
-                |suspect: &Suspect<'_>| suspect.also.as_ref().map(|also| also.name.clone());
-            other.is_two() && other.name == first.name && second(other) == second(first)
+            other.is_two() && other.name == first.name && other.second() == first.second()
         };
         let is_the_one =
             (others.iter()).all(|one| is_named_so(one) || is_same(one) && !explains_more(one));
@@ -332,7 +330,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     let mut cases: Vec<Case> = Vec::new();
     for i in 0..(DRAWN / examiner.limits().effort).max(FEWEST) {
         let are_told = told_from.iter().all(|count| *count >= ENOUGH) || shown == SHOWN;
-        let are_hidden = hidden == HIDDEN || hidden == 0 && i >= ALL_SHOW;
+        let are_hidden = hidden == HIDDEN || i >= ALL_SHOW;
         if shown >= least && are_told && are_hidden {
             break;
         }

@@ -15,6 +15,9 @@ use std::rc::Rc;
 /// A suspect gives this many wrong answers for each that is not as it says.
 const NEARLY: usize = 5;
 
+/// Wrong answers that a second mistake explains by chance.
+pub const BY_CHANCE: usize = 1;
+
 /// Other pairs that are suspects, those that give most.
 const MOST_PAIRS: usize = 4;
 
@@ -42,8 +45,21 @@ pub struct Suspect<'a> {
 impl Suspect<'_> {
     /// Whether it is two mistakes at once.
     pub fn is_two(&self) -> bool {
-        let mut also = self.also.iter();
-        also.any(|also| also.beside == Beside::Together)
+        self.second().is_some()
+    }
+
+    /// The name of the second of two mistakes.
+    pub fn second(&self) -> Option<&str> {
+        let also = self.also.as_ref();
+        let also = also.filter(|also| also.beside == Beside::Together);
+        also.map(|also| also.name.as_str())
+    }
+
+    /// Whether it is one of two of the exercise's own mistakes that explain more than chance does.
+    pub fn is_half_of(&self, two: &Self) -> bool {
+        let is_one = two.name == self.name || two.second() == Some(&self.name);
+        let explain_more = two.score.explained > self.score.explained + BY_CHANCE;
+        !self.is_two() && two.is_two() && !two.is_guess && is_one && explain_more
     }
 }
 
@@ -51,8 +67,10 @@ impl Suspect<'_> {
 /// ways to misread the question that do.
 pub fn suspects<'a>(evidence: &Evidence<'a>, told: &Diagnosis) -> Vec<Suspect<'a>> {
     let examiner = evidence.examiner;
+    // Short answers are compared soonest.
+    let few = evidence.few(HALF, |k| evidence.items[k].got.len());
     let near = |answer: &dyn Fn(usize) -> Option<Vec<f64>>| {
-        let score = evidence.score(HALF, answer)?;
+        let score = evidence.score_after(&few, HALF, answer)?;
         let is_near = NEARLY * (score.missed + score.contradicted) <= score.explained;
         is_near.then_some(score)
     };

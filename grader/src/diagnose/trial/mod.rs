@@ -325,6 +325,12 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
     } else {
         SHOWN / 2
     };
+    // On a small scale there may be a million points, which tell no more than a hundred.
+    let longest = evidence.items.iter().map(|item| item.got.len()).max();
+    let answered = |question: &[f64]| {
+        let answer = (first.answer)(question);
+        answer.filter(|answer| Some(answer.len()) <= longest)
+    };
     let (mut shown, mut hidden) = (0, 0);
     let mut told_from = vec![0; others.len()];
     let mut cases: Vec<Case> = Vec::new();
@@ -339,7 +345,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         let question = match explained.get(i / 4 % explained.len().max(1)) {
             Some(wrong) if is_scaled => {
                 let whole = scaled(examiner, wrong, 1.0, rng);
-                let answer = (first.answer)(&whole).filter(|_| examiner.is_sound(&whole));
+                let answer = answered(&whole).filter(|_| examiner.is_sound(&whole));
                 if answer.is_some_and(|answer| !examiner.is_right(&whole, &answer)) {
                     whole
                 } else {
@@ -352,7 +358,7 @@ fn telling(evidence: &Evidence<'_>, suspects: &[Suspect<'_>], rng: &mut Pcg) -> 
         if !examiner.is_sound(&question) {
             continue;
         }
-        let Some(answer) = (first.answer)(&question) else {
+        let Some(answer) = answered(&question) else {
             continue;
         };
         let shows = !examiner.is_right(&question, &answer);

@@ -4,6 +4,9 @@
 //! New: camera/mod.rs camera/pinhole.rs sample/pattern/sobol.rs render/mod.rs render/film.rs render/followed.rs
 
 mod camera_diagram;
+mod hole;
+mod letters;
+mod projection;
 
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
@@ -44,6 +47,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             &directions(&film, vec3(0.0, 0.3, 1.0), knobs.focal_length())?,
         )?;
     }
+    stage.drawing("projection", projection::CAPTION, projection::draw)?;
+    if stage.wants("hole") {
+        let caption = "A pin-hole camera. The lines cross in the hole, so the picture on the back wall is upside down. On a wall in front of the \
+            hole, at the same distance, the same lines draw it upright.";
+        stage.diagram("hole", caption, &hole::draw()?)?;
+    }
     if stage.wants("camera") {
         stage.diagram(
             "camera",
@@ -51,6 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             &camera_diagram::draw()?,
         )?;
     }
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if !stage.wants("focal_lengths") {
         return Ok(());
     }

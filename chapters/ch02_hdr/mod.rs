@@ -4,6 +4,7 @@
 //! New: scene/mod.rs scene/noise.rs sample/even.rs render/refine.rs
 
 pub mod evening;
+mod letters;
 mod stops;
 pub mod window;
 
@@ -67,6 +68,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
     let small = LazyCell::new(|| third(&radiance));
     let exposed = |stops: f32| small.map(|p| tone::expose(p, stops));
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("exposures") {
         let tiles = [
             ("+3 stops", exposed(3.0)),

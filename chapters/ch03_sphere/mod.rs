@@ -3,6 +3,7 @@
 //! New: math/interval.rs math/aabb.rs math/quadratic.rs shape/mod.rs shape/sphere.rs
 
 mod cancellation;
+mod letters;
 
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{
@@ -53,6 +54,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("roots") {
         let caption = "One sphere, three answers. The near root is the front of the sphere. The far root is the back: its normals \
             point away from the eye. From inside, the near root is behind the eye, and the eye sees the far root.";

@@ -2,6 +2,8 @@
 //!
 //! New: math/basis.rs shape/plane.rs
 
+mod letters;
+
 use crate::kit::stage::{Drawn, Stage};
 use crate::kit::{
     chapter, palette,
@@ -58,6 +60,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if !stage.wants("planes") {
         return Ok(());
     }

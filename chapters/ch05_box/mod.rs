@@ -2,6 +2,8 @@
 //!
 //! New: math/slab.rs shape/cuboid.rs
 
+mod letters;
+mod oriented;
 mod slabs;
 
 use crate::kit::stage::{Drawn, Stage};
@@ -46,6 +48,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
+    stage.drawing("oriented", oriented::CAPTION, oriented::draw)?;
     if stage.wants("inside") {
         let caption = "One box. Each ray is inside the box from t_near to t_far; yellow is farther. The way inside is longest where \
             the ray crosses from a face to the opposite face, and shrinks to 0 at the silhouette.";

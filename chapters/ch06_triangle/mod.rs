@@ -4,6 +4,8 @@
 //! New: shape/triangle.rs shape/triangle_by_plane.rs shape/triangle_by_determinants.rs
 
 mod barycentrics;
+mod inside;
+mod letters;
 mod looks;
 pub mod platonic;
 mod race;
@@ -82,6 +84,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
+    stage.drawing("inside", inside::CAPTION, inside::draw)?;
     if stage.wants("sheet") {
         let mut film = stage.film(16.0 / 9.0);
         (film.width, film.height) = (film.width / 2, film.height / 2);

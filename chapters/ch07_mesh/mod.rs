@@ -4,6 +4,8 @@
 //! New: accel/mod.rs accel/list.rs shape/attributes.rs shape/mesh.rs shape/bezier.rs shape/teapot.rs
 //! New: shape/triangle_watertight.rs shape/mesh_file.rs shape/word.rs shape/obj.rs shape/stl.rs shape/ply/mod.rs
 
+mod letters;
+
 use crate::kit::chapter;
 use crate::kit::sheet::sheet;
 use crate::kit::stage::{Drawn, Stage};
@@ -49,6 +51,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let n = knobs.cells;
     let teapot = teapot::mesh(n);
     let film = draw_mesh(stage, &own_mesh::film_of_list(stage, &teapot), &teapot)?;
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("tessellation") {
         let tile = |n| {
             let [smooth] = looks(&film, &teapot::mesh(n), [SMOOTH]);

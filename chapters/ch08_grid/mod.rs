@@ -6,6 +6,8 @@
 //! New: scene/soup.rs scene/stadium.rs scene/terrain.rs
 
 mod grid_costs;
+mod letters;
+mod sizes;
 mod teapots;
 mod walk_figure;
 
@@ -85,6 +87,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
+    stage.drawing("sizes", sizes::CAPTION, sizes::draw)?;
     if stage.wants("walk") {
         let caption = "The cells through which a ray passes, numbered in order up to the first hit. The ray is tested only against \
             the triangles in these cells, two of six, and once against each. The blue cells hold triangles too, but the ray does not \

@@ -4,6 +4,7 @@
 //! New: accel/order.rs accel/two_level_grid/mod.rs accel/two_level_grid/levels.rs accel/two_level_grid/refine.rs
 //! New: accel/two_level_grid/build.rs accel/two_level_grid/walk.rs accel/two_level_grid/validate.rs
 
+mod letters;
 mod nested_cells;
 pub mod teapot_in_stadium;
 
@@ -66,6 +67,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("walk") {
         let caption = "A two-level grid in the plane: thick lines are the borders of coarse cells, thin lines are those of fine \
             cells. The number of fine cells in a coarse cell depends on its discs; an empty coarse cell has none. The numbers are \

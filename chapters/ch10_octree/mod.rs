@@ -5,6 +5,8 @@
 //! New: accel/octree/validate.rs
 
 mod blocks;
+mod cuts;
+mod letters;
 mod quadtree;
 
 use crate::kit::chapter;
@@ -85,6 +87,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     let tile = small(&stage.film_of(800, 8, 1.6));
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
+    stage.drawing("cuts", cuts::CAPTION, cuts::draw)?;
     if stage.wants("levels") {
         let deepest = knobs.depth.min(6);
         let cells = |depth| blocks::cells(&fine, |_| depth);

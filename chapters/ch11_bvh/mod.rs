@@ -8,6 +8,7 @@
 
 mod builders;
 mod flat_boxes;
+mod letters;
 mod mountains;
 mod structures;
 mod three_stages;
@@ -72,6 +73,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     if stage.wants("picture") {
         draw_mountains(&film, stage, building)?;
     }
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("stages") {
         let caption = "The three stages: a box around each triangle, boxes around boxes, and the tree as an array without pointers.";
         stage.diagram("stages", caption, &three_stages::draw()?)?;

@@ -6,6 +6,7 @@
 
 mod bench;
 mod floors;
+mod letters;
 mod lobes;
 
 use crate::kit::chapter;
@@ -63,6 +64,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &sheet(4, &balls)?)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("lobes") {
         let caption = "The direction l to the light points to the left, and m is its mirror direction. The curves show how much light a point sends into each direction. In the \
             plane of light and normal (left), Blinn's lobe with four times the exponent is nearly the same as Phong's. Out of that \

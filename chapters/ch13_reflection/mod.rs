@@ -3,6 +3,8 @@
 //!
 //! New: material/mirror.rs material/polished.rs render/whitted.rs
 
+mod letters;
+
 pub mod kissing_balls;
 
 use crate::kit::chapter;
@@ -50,6 +52,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("tree") {
         let (width, height) = ray_tree_figure::PHOTOGRAPH;
         let film = Film {

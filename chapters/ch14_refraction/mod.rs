@@ -5,6 +5,7 @@
 
 mod fresnel_plot;
 pub mod glassware;
+mod letters;
 mod parts;
 pub mod prism;
 mod refraction_fan;
@@ -129,6 +130,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
 
 /// Draws what a surface of glass does with light.
 fn draw_surface(stage: &Stage, index: f32) -> Drawn {
+    stage.drawing("letters", letters::CAPTION, || letters::draw(index))?;
     if stage.wants("parts") {
         stage.diagram("parts", &parts::caption(index), &parts::diagram(index)?)?;
     }

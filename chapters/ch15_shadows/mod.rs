@@ -3,6 +3,7 @@
 //!
 //! New: render/shadow.rs
 
+mod letters;
 mod stairs;
 mod wrong_shadows;
 
@@ -60,6 +61,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     }
 
     let tile = stage.tile(2, 16.0 / 9.0);
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("wrong") {
         let film = Film {
             samples: 2 * tile.samples, // acne is finer than pixels

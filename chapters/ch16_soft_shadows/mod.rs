@@ -3,6 +3,9 @@
 //!
 //! New: light/extent.rs light/rect_light.rs light/sphere_light.rs render/soft_shadow.rs
 
+mod cells;
+mod letters;
+
 pub mod light_error;
 pub mod penumbra;
 pub mod posts;
@@ -63,6 +66,12 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
             knobs.lamp
         );
         stage.picture("picture", &caption, &picture)?;
+    }
+
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
+    if stage.wants("cells") {
+        let (diagram, caption) = cells::draw()?;
+        stage.diagram("cells", &caption, &diagram?)?;
     }
 
     let tile = stage.tile(4, 1.0);

@@ -5,7 +5,9 @@
 //! New: render/mis.rs render/path.rs render/reflection.rs render/disc.rs render/photons.rs render/caustics.rs scene/cornell.rs scene/plates.rs
 
 mod domes;
+mod letters;
 mod path_error;
+mod quantities;
 mod strategies;
 
 use crate::kit::sheet::sheet;
@@ -105,6 +107,8 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("quantities", quantities::CAPTION, quantities::draw)?;
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("inter_reflections") {
         let global = knobs.depth.map_or_else(
             || "with inter-reflections".to_owned(),

@@ -5,6 +5,7 @@
 //! New: light/environment/angular.rs light/environment/convert.rs
 
 mod environments;
+mod letters;
 mod metals;
 pub mod skies;
 pub mod uniform_environment;
@@ -83,6 +84,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", caption, &quarters(&lit))?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("layouts") {
         let caption = "The clear day in three layouts: latitude and longitude, a cube unfolded to a cross, and the angular map.";
         stage.figure("layouts", caption, &layouts(day)?)?;

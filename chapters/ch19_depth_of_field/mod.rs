@@ -7,6 +7,7 @@
 mod blur_plot;
 mod bokeh;
 mod lens_samples;
+mod letters;
 #[path = "../../examples/many_balls.rs"]
 #[expect(dead_code, reason = "its `main` is the example's")]
 mod many_balls; // the scene stands in the example alone
@@ -100,6 +101,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("samples") {
         let caption = "With few random points on the lens, there is noise where the picture is blurred, and hardly any noise \
             where it is sharp. Points that are spread evenly over the lens give less noise.";

@@ -5,6 +5,7 @@
 
 mod all_around;
 mod graticule;
+mod letters;
 mod panorama_as_environment;
 mod panorama_map;
 pub mod pavilion;
@@ -76,6 +77,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         let caption = "Everything that is seen from one point. The left and the right edge are one line, behind the viewer. The whole top edge is a single direction, straight up, and the whole bottom edge is straight down.";
         stage.picture("picture", caption, &picture)?;
     }
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("graticule") {
         let caption = "The same panorama with lines of latitude and longitude, every 30°. Each small white disc has a radius of 6°: \
             towards the poles, the map stretches the discs.";

@@ -54,8 +54,25 @@ pub(super) fn draw() -> Figure {
     })
 }
 
-/// One ray: blue if it escapes; if it falls, vermilion, and drawn down to the horizon.
+/// One ray: blue if it escapes; if it falls, vermilion.
 fn ray(canvas: &Canvas, b: f64) -> Drawn {
+    let (points, fate) = path(b);
+    let colour = if matches!(fate, Fate::Escaped(_)) {
+        BLUE
+    } else {
+        VERMILION
+    };
+    // What is outside would be drawn along the edge.
+    let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
+    let points: Vec<_> = points.into_iter().filter(inside).map(on_canvas).collect();
+    let corners: Vec<_> = simplified(&points).into_iter().map(pixel).collect();
+    canvas.draw(&PathElement::new(corners, colour.stroke_width(3)))?;
+    Ok(())
+}
+
+/// The points of a ray from the left that a straight ray would take past the middle at the distance b, and its fate. If it falls, they go
+/// down to the horizon.
+pub(super) fn path(b: f64) -> (Vec<DVec3>, Fate) {
     let mut points = Vec::new();
     let mut last = Photon {
         x: dvec3(LEFT, b, 0.0),
@@ -67,21 +84,13 @@ fn ray(canvas: &Canvas, b: f64) -> Drawn {
         last = piece.to;
         ControlFlow::Continue(())
     });
-    let colour = if matches!(fate, Fate::Escaped(_)) {
-        BLUE
-    } else {
+    if !matches!(fate, Fate::Escaped(_)) {
         while last.x.length() > HORIZON {
             (last, _) = geodesic_step(last, 0.01);
             points.push(last.x);
         }
-        VERMILION
-    };
-    // What is outside would be drawn along the edge.
-    let inside = |p: &DVec3| p.x.abs() < MIDDLE.x / SCALE && p.y.abs() < MIDDLE.y / SCALE;
-    let points: Vec<_> = points.into_iter().filter(inside).map(on_canvas).collect();
-    let corners: Vec<_> = simplified(&points).into_iter().map(pixel).collect();
-    canvas.draw(&PathElement::new(corners, colour.stroke_width(3)))?;
-    Ok(())
+    }
+    (points, fate)
 }
 
 /// A point's place on the canvas.

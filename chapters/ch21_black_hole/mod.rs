@@ -8,6 +8,7 @@
 mod bent_rays;
 pub mod deflection_plot;
 mod hole_shadows;
+mod letters;
 mod simplified;
 pub mod starry_sky;
 mod straight_hole;
@@ -92,6 +93,7 @@ fn draw_before(stage: &Stage, knobs: &Knobs, sky: &(dyn Fn(Dir3) -> Rgb + Sync))
         samples: film.samples,
         ..stage.tile(columns, aspect)
     };
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("straight_and_bent") {
         let caption = format!(
             "The same ball and disc without gravity and with it: the far side appears above the hole and below it, and the shadow is \

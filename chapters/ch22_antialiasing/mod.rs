@@ -9,6 +9,8 @@
 //! New: sample/padded.rs render/supersample.rs
 //! Unscaled: zone_plates
 
+mod drawings;
+
 use crate::kit::chapter;
 use crate::kit::knobs;
 use crate::kit::sheet::sheet;
@@ -109,6 +111,10 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         );
         stage.picture("picture", &caption, &sheets::ruled(&view, ways.len()))?;
     }
+
+    stage.drawing("letters", drawings::LETTERS, drawings::letters)?;
+    stage.drawing("mean", drawings::MEAN, drawings::mean)?;
+    stage.drawing("turned", drawings::TURNED, drawings::turned)?;
 
     let subjects: Vec<_> = PATTERNS.iter().map(Subject::of).collect();
     let all = PointSets {

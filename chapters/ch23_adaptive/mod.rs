@@ -3,6 +3,8 @@
 //!
 //! New: render/needs_more.rs render/budget.rs render/adaptive.rs
 
+mod letters;
+
 pub mod adaptive_gain;
 
 use crate::kit::chapter;
@@ -72,6 +74,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("spent") {
         let budget = knobs.budget.max(limits.first);
         let of_budget = format!("a budget of {budget}");

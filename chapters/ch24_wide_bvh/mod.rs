@@ -8,6 +8,7 @@
 
 mod confetti;
 mod eight_boxes;
+mod letters;
 mod wide_gain;
 mod wide_trees;
 
@@ -72,6 +73,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
         stage.picture("picture", &caption, &picture)?;
     }
 
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("collapse") {
         let caption = "How a binary tree becomes a wide one. The blue branches stay. The white branches are replaced by their \
             children, the branch with the largest box first.";

@@ -4,6 +4,7 @@
 //! New: image/rms.rs scene/description.rs scene/four_scenes.rs render/trace.rs
 
 mod described;
+mod letters;
 mod misread;
 
 use crate::kit::chapter;
@@ -60,6 +61,7 @@ pub fn draw(stage: &Stage, knobs: &Knobs) -> Drawn {
     let chosen = FOUR.iter().position(|staged| staged.name == knobs.scene);
     let chosen = chosen.ok_or("the knob has a scene's name")?;
     let chosen = &FOUR[chosen];
+    stage.drawing("letters", letters::CAPTION, letters::draw)?;
     if stage.wants("description") {
         let shown = see(chosen)?;
         let question = Trace {

@@ -1,6 +1,11 @@
 //! The stage on which a chapter draws: its films, its progress, and where its pictures go.
 
-use crate::kit::{figure::Diagram, options::Options, rate::Rate, terminal};
+use crate::kit::{
+    figure::{Diagram, Figure},
+    options::Options,
+    rate::Rate,
+    terminal,
+};
 use indicatif::{ProgressBar, ProgressStyle};
 use raybook::image::{Image, file};
 use raybook::render::film::{Done, Film, Progress};
@@ -218,6 +223,17 @@ impl Stage {
             store::write(&svg, diagram.svg.as_bytes())?;
             Ok((None, Some(svg)))
         })
+    }
+
+    /// Draws this drawing and writes it, if it is wanted.
+    ///
+    /// # Errors
+    /// If it cannot be drawn, or a file cannot be written.
+    pub fn drawing(&self, name: &str, caption: &str, draw: impl FnOnce() -> Figure) -> Drawn {
+        if self.wants(name) {
+            self.diagram(name, caption, &draw()?)?;
+        }
+        Ok(())
     }
 
     /// What has been drawn.

@@ -1,6 +1,7 @@
 //! Rooms, scenes and figures that a few chapters share.
 
 pub mod daylight;
+pub mod directions;
 pub mod flatland;
 pub mod growth;
 pub mod heat;

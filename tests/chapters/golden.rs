@@ -13,7 +13,7 @@ use raybook_chapters::lesson::Lesson;
 use raybook_chapters::{LESSONS, MEASURED};
 use raybook_common::{check_all, project};
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Small, so that all chapters' golden pictures weigh less than a photograph.
 const WIDTH: u32 = 96;
@@ -58,34 +58,61 @@ fn draws_its_golden_picture(lesson: &Lesson) {
     });
     assert_same_files(&one, &two);
     assert_golden(lesson.name, &one.join("picture.exr"));
-    assert_large_letters(&one);
+    for (file, text) in drawings(&one) {
+        assert_large_letters(&file, &text);
+        assert_known_letters(&file, &text);
+    }
+}
+
+/// The drawings in a folder, with their texts.
+fn drawings(folder: &Path) -> Vec<(PathBuf, String)> {
+    let files = fs::read_dir(folder).expect("the chapter has made its folder");
+    let files = files.map(|file| file.expect("the folder can be read").path());
+    let drawings = files.filter(|file| file.extension().is_some_and(|e| e == "svg"));
+    let read = |file: PathBuf| {
+        let text = fs::read_to_string(&file).expect("text");
+        (file, text)
+    };
+    drawings.map(read).collect()
+}
+
+/// No letter is drawn as nothing.
+fn assert_known_letters(file: &Path, text: &str) {
+    let font = fs::read(project("chapters/kit/fonts/DejaVuSans.ttf")).expect("the font is there");
+    let font = ttf_parser::Face::parse(&font, 0).expect("a font");
+    for part in text.split("<text").skip(1) {
+        let (_, words) = part.split_once('>').expect("an element ends");
+        let (words, _) = words.split_once("</text>").expect("a text ends");
+        let unknown = words
+            .trim()
+            .chars()
+            .find(|c| font.glyph_index(*c).is_none());
+        let file = file.display();
+        assert!(
+            unknown.is_none(),
+            "{file}: no letter {unknown:?} in the font: {words}"
+        );
+    }
 }
 
 /// Who sits in the last row reads every drawing.
-fn assert_large_letters(folder: &Path) {
-    for file in fs::read_dir(folder).expect("the chapter has made its folder") {
-        let file = file.expect("the folder can be read").path();
-        if file.extension().is_none_or(|extension| extension != "svg") {
-            continue;
-        }
-        let text = fs::read_to_string(&file).expect("text");
-        let numbers = |name: &str| {
-            let begin = format!(" {name}=\"");
-            let number = |rest: &str| rest.split('"').next()?.parse::<f64>().ok();
-            let values = text.split(&begin).skip(1);
-            values
-                .map(|rest| number(rest).expect("a number"))
-                .collect::<Vec<_>>()
-        };
-        let shown = (ROOM.0 / numbers("width")[0]).min(ROOM.1 / numbers("height")[0]);
-        for size in numbers("font-size") {
-            let size = size / f64::from(SCALE) * shown;
-            assert!(
-                size >= LETTER,
-                "{}: a letter of {size} pixels",
-                file.display()
-            );
-        }
+fn assert_large_letters(file: &Path, text: &str) {
+    let numbers = |name: &str| {
+        let begin = format!(" {name}=\"");
+        let number = |rest: &str| rest.split('"').next()?.parse::<f64>().ok();
+        let values = text.split(&begin).skip(1);
+        values
+            .map(|rest| number(rest).expect("a number"))
+            .collect::<Vec<_>>()
+    };
+    let shown = (ROOM.0 / numbers("width")[0]).min(ROOM.1 / numbers("height")[0]);
+    for size in numbers("font-size") {
+        let size = size / f64::from(SCALE) * shown;
+        assert!(
+            size >= LETTER,
+            "{}: a letter of {size} pixels",
+            file.display()
+        );
     }
 }
 

@@ -49,6 +49,7 @@ fn a_lesson_that_lacks_a_part_is_noticed() {
         "{{mistakes}}",
         "{{example ",
         "{{figure picture",
+        "{{figure letters",
         "$$",
         "<details><summary>Answer</summary>",
         "raybook draw ch03",
@@ -236,7 +237,7 @@ fn wrong_parts(chapter: &Chapter, text: &str) -> Vec<String> {
     let mut needed = vec![
         (start.to_owned(), "{{figure picture | ".to_owned()),
         (start.to_owned(), run),
-        (part("The idea"), "<fig".to_owned()),
+        (part("The idea"), "{{figure letters | ".to_owned()),
         (part("The derivation"), "$$".to_owned()),
         (part("With numbers"), "{{example ".to_owned()),
         (part("What your tracer"), draw),

@@ -1,6 +1,6 @@
 //! The lessons as text: what a student's folder carries of the book, so that the derivations can be read beside the stubs.
 //!
-//! The text is the book's own, up to "Your turn", where the stubs go on, and "In practice": the care that a formula needs. Directives are expanded as the book does; figures and drawings
+//! The text is the book's own, up to "Your turn", where the stubs go on, and "In practice": the care that a formula needs. Directives are expanded as the book does; figures
 //! become their alternative texts, and formulas stay as they are typed.
 
 use super::StarterFile;
@@ -49,7 +49,6 @@ pub fn files() -> Result<Vec<StarterFile>, BookError> {
 fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
     let names: Vec<_> = chapter.exercises().iter().map(|e| e.name).collect();
     let mut text = String::new();
-    let mut drawing: Option<String> = None;
     let mut fenced = false;
     let (mut turned, mut left_out) = (false, false);
     for (line, number) in page.lines().zip(1..) {
@@ -66,17 +65,8 @@ fn text(chapter: &Chapter, page: &str) -> Result<String, BookError> {
             line: number,
             what,
         };
-        let part = if let Some(mut drawn) = drawing.take() {
-            drawn.push_str(line);
-            if line != "</figure>" {
-                drawing = Some(drawn);
-                continue;
-            }
-            told(&drawn)
-        } else if line == "<figure>" {
-            drawing = Some(String::new());
-            continue;
-        } else if let (false, Some(directive)) = (fenced, directive::read(line).map_err(wrong)?) {
+        let part = if let (false, Some(directive)) = (fenced, directive::read(line).map_err(wrong)?)
+        {
             text_of(directive, chapter).map_err(wrong)?
         } else if fenced && line.starts_with("cargo ") {
             match command(line) {
@@ -161,17 +151,6 @@ fn example(exercise: &str, name: &str) -> Result<String, String> {
         case.name,
         lines.trim_end()
     ))
-}
-
-/// What a drawing shows, in words: its alternative text, and its caption.
-fn told(drawing: &str) -> String {
-    let between = |start: &str, end: &str| {
-        let rest = drawing.split_once(start)?.1;
-        Some(rest.split_once(end)?.0)
-    };
-    let shown = between("aria-label=\"", "\"").unwrap_or_default();
-    let caption = between("<figcaption>", "</figcaption>").unwrap_or_default();
-    format!("> Drawing: {shown} {}", plain(caption))
 }
 
 /// The title of what the book folds, in bold; another line as it is.

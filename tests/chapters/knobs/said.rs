@@ -90,7 +90,7 @@ fn what_cannot_be_varied_is_refused_in_a_sentence() {
         (
             "ch11_bvh",
             &["--vary", "leaf=1", "--picture", "roof"],
-            "there are picture, stages, organisations, builders, growth, levels, heat, speeds",
+            "there are picture, letters, stages, organisations, builders, growth, levels, heat, speeds",
         ),
         ("ch12_phong", &["--vary", "exponent"], "exponent=1,8,64"),
         (
@@ -111,7 +111,7 @@ fn what_cannot_be_varied_is_refused_in_a_sentence() {
         (
             "ch03_sphere",
             &["--vary", "radius=0.1,0.2", "--picture", "roof"],
-            "there are picture, roots, cancellation",
+            "there are picture, letters, roots, cancellation",
         ),
         ("ch03_sphere", &["--animate"], "--vary"),
         (

@@ -12,7 +12,7 @@ fn the_pictures_before_the_wanted_one_are_named_and_not_drawn() {
     let stage = Stage::new(chapter.name, small(out.path()), false, progress_bar()).until("heat");
     chapter.draw(&stage).expect("it can be drawn");
     let passed = stage.passed().join(" ");
-    let all = "picture stages organisations builders growth levels heat";
+    let all = "picture letters stages organisations builders growth levels heat";
     assert_eq!(passed, all, "each is named, once");
     assert_eq!(stage.into_outputs().len(), 1);
 }
@@ -65,7 +65,8 @@ fn one_picture_is_drawn_alone() {
     names.sort();
     assert_eq!(names, ["fresnel.png", "fresnel.svg"], "{said}");
     let (code, said, _) = run("ch14_refraction", &["--picture", "roof"]);
-    let expected = "there are picture, parts, beams, fresnel, prism, nested, depth, absorption";
+    let expected =
+        "there are picture, letters, parts, beams, fresnel, prism, nested, depth, absorption";
     assert!(
         code == Some(2) && said.contains(expected),
         "{code:?} {said}"

@@ -48,7 +48,7 @@ fn every_chapter_has_its_lesson_as_text() {
         "The case \"head on\" of `sphere_hit`",
         "    origin         0 0 -3",
         "    → t            2",
-        "> Drawing: A circle of centre c",
+        "> Picture `letters`: A circle of centre c",
         // The care that the lesson promises, and the exercise asks for.
         "### Roots without cancellation",
         "\\frac{C}{q}",

@@ -6,7 +6,6 @@ use crate::kit::sketch::{flat, xy};
 use glam::{Vec3, vec2};
 use raybook::math::{dir3::Dir3, interval::Interval, ray::Ray};
 use raybook::shape::{Shape, sphere::Sphere};
-use std::f32::consts::TAU;
 
 /// The x at which the rays start.
 const START: f32 = -2.6;
@@ -34,7 +33,7 @@ pub(super) fn draw() -> Figure {
     let foot = hit.at(hit.direction.dot(c - hit.origin));
     flat((720, 370), xy(0.2, 0.03), 3.17, |sketch| {
         sketch.disc(c, sphere.radius, BLUE, 0.12)?;
-        sketch.arc(c, sphere.radius, [0.0, TAU], BLUE, 5)?;
+        sketch.circle(c, sphere.radius, BLUE, 5)?;
         for (y, words) in [(1.0, "touches: one root"), (1.32, "passes by: no root")] {
             let ray = ray(y);
             sketch.arrow(ray.origin, ray.at(LENGTH), FAINT, 4)?;

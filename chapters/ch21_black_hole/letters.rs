@@ -6,7 +6,6 @@ use crate::kit::palette::{BLUE, FAINT, GREEN, INK, VERMILION};
 use crate::kit::sketch::{flat, xy};
 use glam::{Vec3, vec2};
 use raybook::render::curved::{HORIZON, PHOTON_SPHERE};
-use std::f32::consts::TAU;
 
 /// The distance at which the ray would pass the middle if it were straight, in radii of the hole.
 const IMPACT: f64 = 4.6;
@@ -32,14 +31,14 @@ pub(super) fn draw() -> Figure {
     let mut points: Vec<_> = points
         .filter(|p| p.x > VIEW[0] && p.x < VIEW[1] && p.y > -1.6)
         .collect();
-    points.dedup(); // where two pieces meet
+    points.dedup_by(|p, q| p.distance(*q) < 0.1);
     let b = IMPACT as f32;
     let (first, last) = (points[0], points[points.len() - 1]);
     let leaves = (last - points[points.len() - 2]).normalize();
     let here = points.iter().position(|p| p.x > HERE).unwrap_or(0);
     let v = (points[here + 1] - points[here]).normalize();
     flat((760, 400), xy(-0.2, 1.8), 7.0, |sketch| {
-        sketch.arc(Vec3::ZERO, PHOTON_SPHERE as f32, [0.0, TAU], GREEN, 4)?;
+        sketch.circle(Vec3::ZERO, PHOTON_SPHERE as f32, GREEN, 4)?;
         sketch.disc(Vec3::ZERO, HORIZON as f32, INK, 1.0)?;
         sketch.words(xy(-1.7, -0.6), vec2(0.0, 0.0), "horizon: r = 1", INK, RIGHT)?;
         sketch.words(

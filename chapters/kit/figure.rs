@@ -1,6 +1,6 @@
 //! Diagrams and plots, drawn by plotters with the font of this package.
 
-use crate::kit::{palette::INK, paper::Paper, stage::Drawn};
+use crate::kit::{palette::INK, paper::Paper, stage::Drawn, vectors::compact};
 use plotters::coord::Shift;
 use plotters::prelude::{DrawingArea, IntoDrawingArea, IntoFont, RGBColor, Text, TextStyle, WHITE};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -77,62 +77,12 @@ fn diagram((width, height): (u32, u32), bytes: &[u8], svg: &str) -> Diagram {
         let channel = |i: usize| linear[usize::from(bytes[3 * (y * wide + x) + i])];
         Rgb::new(channel(0), channel(1), channel(2))
     });
-    let svg = USUAL
-        .iter()
-        .fold(svg.to_owned(), |svg, usual| svg.replace(usual, ""));
-    let [on_canvas, shown] =
-        [SCALE, 1].map(|s| format!("width=\"{}\" height=\"{}\"", s * width, s * height));
-    let svg = svg.replacen(&on_canvas, &shown, 1);
-    let svg = svg.replacen(" xmlns=", &format!("{FAMILY} xmlns="), 1);
-    let svg = rimmed(&svg);
+    let svg = compact(svg, (width, height));
     Diagram { pixels, svg }
 }
 
-/// What all words of an SVG file have in common, and its first line says.
-const FAMILY: &str = " font-family=\"sans-serif\"";
-
-/// What is so in an SVG file where nothing is said, or its first line says it: a fifth of what plotters writes.
-const USUAL: [&str; 4] = [
-    " opacity=\"1\"",
-    " stroke=\"none\"",
-    " stroke-width=\"1\"",
-    FAMILY,
-];
-
 /// Width of the white rim that lifts words off what they cross, in pixels of the canvas.
 pub const HALO: f32 = 4.0;
-
-/// The same drawing, with one stroke around words that stand on themselves in white, a little moved to all sides: pixels know no other rim.
-fn rimmed(svg: &str) -> String {
-    let mut parts = svg.split("<text");
-    let mut text = parts.next().unwrap_or_default().to_owned();
-    let words = |part: &str| {
-        let (_, words) = part.split_once('>')?;
-        words
-            .split_once("</text>")
-            .map(|(words, _)| words.to_owned())
-    };
-    let rim = format!(
-        " stroke=\"#FFF\" stroke-width=\"{}\" stroke-linejoin=\"round\" paint-order=\"stroke\"",
-        2.0 * HALO
-    );
-    let mut parts = parts.peekable();
-    let mut has_rim = false;
-    while let Some(part) = parts.next() {
-        let is_before = |next: &&str| words(next) == words(part);
-        if part.contains("fill=\"#FFFFFF\"") && parts.peek().is_some_and(is_before) {
-            has_rim = true;
-            continue;
-        }
-        text.push_str("<text");
-        if has_rim {
-            text.push_str(&rim);
-        }
-        text.push_str(part);
-        has_rim = false;
-    }
-    text
-}
 
 /// How text looks.
 pub type Style = TextStyle<'static>;

@@ -26,3 +26,4 @@ pub mod stage;
 pub mod terminal;
 pub mod untrusted;
 pub mod vary;
+mod vectors;

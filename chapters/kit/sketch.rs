@@ -4,7 +4,7 @@ use crate::kit::figure::{CENTRE, Canvas, Figure, HALO, coloured, figure, write};
 use crate::kit::palette::INK;
 use crate::kit::stage::Drawn;
 use glam::{Vec2, Vec3, vec2, vec3};
-use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, WHITE};
+use plotters::prelude::{Circle, Color, PathElement, Polygon, RGBColor, ShapeStyle, WHITE};
 use plotters::style::text_anchor::Pos;
 use raybook::camera::pinhole::Pinhole;
 use std::error::Error;
@@ -172,9 +172,20 @@ impl Sketch<'_, '_> {
     /// # Errors
     /// As for [`Sketch::line`].
     pub fn disc(&self, middle: Vec3, radius: f32, colour: RGBColor, opacity: f64) -> Drawn {
+        self.round(middle, radius, colour.mix(opacity).filled())
+    }
+
+    /// A circle that faces the viewer.
+    ///
+    /// # Errors
+    /// As for [`Sketch::line`].
+    pub fn circle(&self, middle: Vec3, radius: f32, colour: RGBColor, width: u32) -> Drawn {
+        self.round(middle, radius, colour.stroke_width(width))
+    }
+
+    fn round(&self, middle: Vec3, radius: f32, style: ShapeStyle) -> Drawn {
         let rim = self.at(middle + radius * *self.viewer.right);
         let radius = self.at(middle).distance(rim).round() as i32;
-        let style = colour.mix(opacity).filled();
         self.canvas
             .draw(&Circle::new(pixel(self.at(middle)), radius, style))?;
         Ok(())
@@ -187,7 +198,7 @@ impl Sketch<'_, '_> {
     pub fn circled(&self, middle: Vec3, radius: f32, text: &str, colour: RGBColor) -> Drawn {
         self.disc(middle, radius, WHITE, 1.0)?;
         self.disc(middle, radius, colour, 0.15)?;
-        self.arc(middle, radius, [0.0, TAU], colour, 4)?;
+        self.circle(middle, radius, colour, 4)?;
         self.label(middle, Vec2::ZERO, text, INK)
     }
 

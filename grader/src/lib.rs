@@ -91,6 +91,16 @@ pub trait Graded: Exercise + Clone + Sync + 'static {
     /// Why the answer is wrong.
     fn judge(question: &Self, golden: &Self::Answer, got: &Self::Answer) -> Verdict;
 
+    /// Why an answer is wrong, in more words than its judge has, where these take time to find: of thousands of predicted answers nobody reads them.
+    fn complaint(
+        _question: &Self,
+        _golden: &Self::Answer,
+        _got: &Self::Answer,
+        why: String,
+    ) -> String {
+        why
+    }
+
     /// Judges all answers together that are right one by one: a bias that hides in the scatter of each shows in all of them, and
     /// so does a number of the question that no answer depends on. Of answers that are within all bounds of chance, narrower ones tell which leave doubt.
     ///

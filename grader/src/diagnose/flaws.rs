@@ -58,10 +58,11 @@ fn of(flaws: &[Flaw], evidence: &Evidence<'_>, share: f64) -> Option<Diagnosis> 
     let examiner = evidence.examiner;
     let wrong = &evidence.items[..evidence.wrong];
     let complaint = |item: &Item| {
-        let compared = examiner.compare(&item.question, item.golden(), &item.got);
+        let (question, golden) = (&item.question, item.golden());
+        let compared = examiner.compare(question, golden, &item.got);
         let is_nan = item.got.iter().any(|v| v.is_nan());
         // A judge may stop at something else: that there is an answer at all.
-        let why = compared.err()?;
+        let why = examiner.complaint(question, golden, &item.got, compared.err()?);
         let why = if is_nan {
             format!("{why}, and is NaN")
         } else {

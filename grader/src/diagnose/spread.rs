@@ -345,7 +345,7 @@ fn shows(evidence: &Evidence<'_>, number: usize) -> bool {
     let flaws = examiner.flaws();
     let complaint = |item: &Item, answer: &[f64]| {
         let verdict = examiner.compare(&item.question, item.golden(), answer);
-        let why = verdict.err()?;
+        let why = examiner.complaint(&item.question, item.golden(), answer, verdict.err()?);
         Some(flaws.iter().position(|flaw| why.contains(flaw.complaint)))
     };
     let (mut shown, mut alike) = (0, 0);

@@ -61,6 +61,15 @@ impl<E: Graded> Examiner for Examination<E> {
         )
     }
 
+    fn complaint(&self, question: &[f64], golden: &[f64], got: &[f64], why: String) -> String {
+        E::complaint(
+            &from_numbers(question),
+            &from_numbers(golden),
+            &from_numbers(got),
+            why,
+        )
+    }
+
     fn compare_together(&self, answers: &[(Vec<f64>, Vec<f64>)], bounds: Bounds) -> Verdict {
         let rows = answers.iter();
         let answers: Vec<_> = rows

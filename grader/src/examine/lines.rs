@@ -44,14 +44,21 @@ impl dyn Examiner + '_ {
         let question = self.asked().read_question(question);
         let question = question.map_err(|e| e.to_string())?;
         let got = read(got)?;
-        let mut verdict = Err("there is no right answer to compare with".to_owned());
+        let none = "there is no right answer to compare with".to_owned();
+        let mut verdict = Err((none, None));
         for golden in answers.iter().rev() {
-            verdict = self.verdict(&question, &read(golden)?, &got);
+            let golden = read(golden)?;
+            verdict = self
+                .verdict(&question, &golden, &got)
+                .map_err(|why| (why, Some(golden)));
             if verdict.is_ok() {
                 break;
             }
         }
-        verdict
+        verdict.map_err(|(why, golden)| match golden {
+            Some(golden) => self.complaint(&question, &golden, &got, why),
+            None => why,
+        })
     }
 
     /// A question as the line that a program is asked.

@@ -49,6 +49,11 @@ pub trait Examiner: Sync {
     /// Why it is wrong.
     fn compare(&self, question: &[f64], golden: &[f64], got: &[f64]) -> Verdict;
 
+    /// See [`complaint`](crate::Graded::complaint).
+    fn complaint(&self, _question: &[f64], _golden: &[f64], _got: &[f64], why: String) -> String {
+        why
+    }
+
     /// What kept the judge from a verdict on this thread, and is no fault of an answer; told once.
     fn trouble(&self) -> Option<String> {
         None

@@ -39,29 +39,41 @@ impl Graded for DeflectionAngle {
         DeflectionAngle { impact_parameter }
     }
 
-    fn judge(q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
+    fn judge(_q: &DeflectionAngle, golden: &Option<f32>, got: &Option<f32>) -> Verdict {
         let (golden, got) = (golden.as_ref(), got.as_ref());
         judge::option("a ray that gets away", golden, got, |golden, got| {
             let tolerance = judge::RELATIVE * golden;
-            let why = judge::number_within("the angle", "rad", *golden, *got, tolerance);
-            let is_near = (golden - got).abs() <= NEARLY * golden;
-            let b = f64::from(q.impact_parameter);
-            let steps = || count_that_loses(b, f64::from(golden - got));
-            let distance = || distance_of(b, f64::from(*got)).filter(|_| got < golden);
-            why.map_err(|why| {
-                if let Some(steps) = steps() {
-                    format!("{why}: it is the sum of {steps} equal steps of 1/r up to the turning point")
-                } else if let Some(times) = left_out(b, f64::from(golden - got)) {
-                    format!("{why}: as much is missing as a straight ray sweeps on its way from infinity to the distance of {times} b")
-                } else if is_near {
-                    format!("{why}: {COARSE}")
-                } else if let Some(distance) = distance() {
-                    format!("{why}: a ray that starts {distance} radii before the hole and ends as far behind is turned by as much")
-                } else {
-                    why
-                }
-            })
+            judge::number_within("the angle", "rad", *golden, *got, tolerance)
         })
+    }
+
+    fn complaint(
+        q: &DeflectionAngle,
+        golden: &Option<f32>,
+        got: &Option<f32>,
+        why: String,
+    ) -> String {
+        let (Some(golden), Some(got)) = (*golden, *got) else {
+            return why;
+        };
+        let b = f64::from(q.impact_parameter);
+        let lost = f64::from(golden - got);
+        let distance = || distance_of(b, f64::from(got)).filter(|_| got < golden);
+        if let Some(steps) = count_that_loses(b, lost) {
+            format!("{why}: it is the sum of {steps} equal steps of 1/r up to the turning point")
+        } else if let Some(times) = left_out(b, lost) {
+            format!(
+                "{why}: as much is missing as a straight ray sweeps on its way from infinity to the distance of {times} b"
+            )
+        } else if lost.abs() <= f64::from(NEARLY * golden) {
+            format!("{why}: {COARSE}")
+        } else if let Some(distance) = distance() {
+            format!(
+                "{why}: a ray that starts {distance} radii before the hole and ends as far behind is turned by as much"
+            )
+        } else {
+            why
+        }
     }
 
     const FLAWS: &'static [Flaw] = &[

@@ -46,7 +46,7 @@ fn in_vectors_words_have_one_rim_and_lines_are_not_filled() {
     let svg = figure.expect("it is drawn").svg;
     assert!(svg.contains("<style>path{fill:none}</style>"), "{svg}");
     assert!(
-        svg.contains("<path stroke=\"#0072B2\" stroke-width=\"4\" d=\"M20,20 60,20 60,0\"/>"),
+        svg.contains("<path stroke=\"#0072B2\" stroke-width=\"4\" d=\"M20,20l40,0 0,-20\"/>"),
         "{svg}"
     );
     assert_eq!(

@@ -41,7 +41,7 @@ pub(super) fn draw() -> Figure {
         sketch.arrow(o, end, VERMILION, 4)?;
         sketch.label(end, vec2(-20.0, -46.0), "r(t)", VERMILION)?;
         sketch.arrow(o, ray.at(1.0), VERMILION, 9)?;
-        sketch.label(ray.at(0.8), vec2(0.0, -46.0), "d", VERMILION)?;
+        sketch.label(ray.at(1.2), vec2(0.0, -34.0), "d", VERMILION)?;
         sketch.dot(o, 11, INK)?;
         sketch.label(o, vec2(-34.0, 20.0), "o", INK)?;
         sketch.dot(q, 11, VERMILION)?;

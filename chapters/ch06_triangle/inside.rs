@@ -1,6 +1,6 @@
 //! The plane first, then the inside: two rays that meet the plane of a triangle.
 
-use crate::kit::figure::{Figure, LEFT, figure};
+use crate::kit::figure::{Figure, LEFT, RIGHT, figure};
 use crate::kit::palette::{BLUE, FAINT, INK, VERMILION};
 use crate::kit::sketch::Sketch;
 use glam::{Vec3, vec2, vec3};
@@ -52,7 +52,7 @@ pub(super) fn draw() -> Figure {
         )?;
         sketch.area(&CORNERS, BLUE, 0.35)?;
         sketch.line(&[p0, p1, p2, p0], BLUE, 5)?;
-        let foot = vec3(-1.9, 0.0, 0.9);
+        let foot = vec3(-1.65, 0.0, 0.9);
         sketch.arrow(foot, foot + 0.8 * *plane.normal, BLUE, 6)?;
         sketch.words(foot + 0.8 * *plane.normal, vec2(20.0, 0.0), "n", BLUE, LEFT)?;
         sketch.words(vec3(1.6, 0.0, 1.2), vec2(0.0, 0.0), "the plane", INK, LEFT)?;
@@ -60,14 +60,14 @@ pub(super) fn draw() -> Figure {
             let ray = Ray::new(START, Dir3::new_or(aim - START, -Dir3::Y));
             let t = plane.hit(&ray, Interval::AHEAD).map_or(0.0, |hit| hit.t);
             let is_inside = triangle.hit(&ray, Interval::AHEAD).is_some();
-            let (colour, words) = if is_inside {
-                (VERMILION, "inside: a hit")
+            let (colour, words, beside, end) = if is_inside {
+                (VERMILION, "inside: a hit", -24.0, RIGHT)
             } else {
-                (INK, "outside: a miss")
+                (INK, "outside: a miss", 24.0, LEFT)
             };
             sketch.arrow(ray.origin, ray.at(t), colour, 5)?;
             sketch.dot(ray.at(t), 11, colour)?;
-            sketch.words(ray.at(t), vec2(24.0, 8.0), words, colour, LEFT)?;
+            sketch.words(ray.at(0.5 * t), vec2(beside, 0.0), words, colour, end)?;
         }
         sketch.dot(START, 11, INK)?;
         sketch.label(START, vec2(-34.0, 0.0), "o", INK)

@@ -82,7 +82,7 @@ fn inside(sketch: &Sketch) -> Drawn {
         let tip = corner + LENGTH * *n;
         sketch.arrow(corner, tip, BLUE, 5)?;
         let index = ["₀", "₁", "₂"][i];
-        sketch.words(tip, vec2(-18.0, 8.0), &format!("n{index}"), BLUE, RIGHT)?;
+        sketch.words(tip, vec2(-18.0, -10.0), &format!("n{index}"), BLUE, RIGHT)?;
         sketch.dot(corner, 9, INK)?;
         sketch.label(corner, beside[i], &format!("p{index}"), INK)?;
     }

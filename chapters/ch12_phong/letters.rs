@@ -47,7 +47,11 @@ pub(super) fn draw() -> Figure {
             let tip = POINT + LENGTH * *d;
             sketch.arrow(POINT, tip, colour, 6)?;
             let beyond = sketch.at(tip + 0.1 * *d) - sketch.at(tip);
-            let aside = if name == "l" { vec2(34.0, 0.0) } else { beyond };
+            let aside = if name == "l" {
+                vec2(-34.0, 14.0)
+            } else {
+                beyond
+            };
             sketch.label(tip, aside, name, colour)?;
         }
         sketch.dot(POINT, 11, INK)?;

@@ -32,7 +32,7 @@ pub(super) const CAPTION: &str = "Flux is all light of the lamp. Intensity is th
 /// If plotters cannot draw.
 pub(super) fn draw() -> Figure {
     let middle = |i: usize| xy(NEXT * i as f32, 0.0);
-    flat((860, 310), xy(1.5 * NEXT, -0.55), 3.7, |sketch| {
+    flat((860, 310), xy(1.5 * NEXT + 0.1, -0.55), 3.7, |sketch| {
         flux(sketch, middle(0))?;
         intensity(sketch, middle(1))?;
         irradiance(sketch, middle(2))?;
@@ -108,9 +108,9 @@ fn radiance(sketch: &Sketch, middle: Vec3) -> Drawn {
     let d = to(FRAC_PI_2 - 0.5);
     for side in [-PIECE, PIECE] {
         let edge = foot + xy(side, 0.0);
-        sketch.dashes(edge, edge + 1.75 * d, FAINT, 4)?;
+        sketch.dashes(edge, edge + 1.6 * d, FAINT, 4)?;
     }
     sketch.dashes(foot, foot + 1.6 * Vec3::Y, INK, 2)?;
     sketch.angle(foot, [d, Vec3::Y], 0.95, "θ")?;
-    sketch.arrow(foot + 1.6 * d, foot + 0.06 * d, VERMILION, 5)
+    sketch.arrow(foot + 1.45 * d, foot + 0.06 * d, VERMILION, 5)
 }

@@ -66,7 +66,7 @@ fn luminances(sketch: &Sketch) -> Drawn {
     }
     let high = xy(0.0, 0.13);
     sketch.line(&[at(mean) - high, at(mean) + high], BLUE, 6)?;
-    sketch.label(at(mean), vec2(0.0, 54.0), "Ȳ", BLUE)?;
+    sketch.label(at(mean), vec2(0.0, 70.0), "Ȳ", BLUE)?;
     let above = 1.5 * high;
     sketch.measure(at(mean - error) + above, at(mean + error) + above, BLUE)?;
     sketch.label(at(mean + error) + above, vec2(76.0, 0.0), "± s/√n", BLUE)

@@ -177,23 +177,32 @@ pub(super) fn mean() -> Figure {
 pub(super) const TURNED: &str = "Four samples in a pixel. A vertical edge that moves to the right passes the left pattern in two steps, and the \
     right one in four.";
 
+/// The radius of the arc that shows by how much the samples are turned, as a share of the pixel's side.
+const ARC: f32 = 0.3;
+
 /// The 2 × 2 grid, and the rotated one, each in its pixel.
 ///
 /// # Errors
 /// If plotters cannot draw.
 pub(super) fn turned() -> Figure {
-    let pixels = [
-        ("2 × 2 grid", regular_grid(2, 2)),
-        (
-            "rotated by arctan ½",
-            rotated_grid::of(4, rotated_grid::rotated_grid),
-        ),
-    ];
+    let regular = regular_grid(2, 2);
+    let rotated = rotated_grid::of(4, rotated_grid::rotated_grid);
+    let leftmost = rotated
+        .iter()
+        .copied()
+        .reduce(|p, q| if q.x < p.x { q } else { p });
+    let topmost = rotated
+        .iter()
+        .copied()
+        .reduce(|p, q| if q.y > p.y { q } else { p });
+    let (apex, top) = (leftmost.unwrap_or_default(), topmost.unwrap_or_default());
+    let angle = (top - apex).to_angle();
+    let name = format!("rotated by arctan ½ = {:.1}°", angle.to_degrees());
+    let corner = xy(1.4, 0.0);
     flat((720, 330), xy(1.2, 0.5), 1.42, |sketch| {
-        for (i, (name, points)) in pixels.iter().enumerate() {
-            pattern(sketch, 1.4 * i as f32 * Vec3::X, name, points)?;
-        }
-        Ok(())
+        pattern(sketch, Vec3::ZERO, "2 × 2 grid", &regular)?;
+        sketch.arc(corner + apex.extend(0.0), ARC, [0.0, angle], INK, 4)?;
+        pattern(sketch, corner, &name, &rotated)
     })
 }
 

@@ -1,16 +1,15 @@
 //! A ray at a flat surface, and its two answers: each direction as the sum of a part along the surface and a part that is
 //! perpendicular to it.
 
-use crate::kit::figure::{CENTRE, Figure, LEFT, RIGHT, coloured, figure, write};
+use crate::kit::figure::{CENTRE, Figure, LEFT, RIGHT};
 use crate::kit::palette::{BLUE, FAINT, INK, SKY, VERMILION};
-use crate::kit::sketch::Sketch;
+use crate::kit::sketch::{Sketch, flat, xy};
 use crate::kit::stage::Drawn;
-use glam::{Vec2, Vec3, vec2, vec3};
+use glam::{Vec3, vec2};
 use plotters::style::text_anchor::Pos;
-use raybook::camera::pinhole::Pinhole;
+use raybook::material::mirror::reflect;
 use raybook::material::refract::refract;
 use raybook::math::dir3::Dir3;
-use std::f32::consts::{FRAC_PI_2, TAU};
 
 /// The angle θ₁ at which the ray arrives, in degrees.
 const INCIDENCE: f32 = 50.0;
@@ -33,9 +32,6 @@ const ARC: f32 = 0.3;
 /// The length at which the normal is drawn: at its length, 1, its end would be on the circle.
 const NORMAL: f32 = 0.85;
 
-/// Height of the letters, in pixels of the canvas.
-const LETTERS: u32 = 38;
-
 /// What the diagram shows, with the angle θ₂ for a medium of this index.
 pub(super) fn caption(index: f32) -> String {
     let sine = AIR / index * INCIDENCE.to_radians().sin();
@@ -54,23 +50,17 @@ pub(super) fn caption(index: f32) -> String {
 /// If plotters cannot draw.
 pub(super) fn diagram(index: f32) -> Figure {
     let (sine, cosine) = INCIDENCE.to_radians().sin_cos();
-    let arrives = Dir3::new_or(vec3(sine, -cosine, 0.0), Dir3::Y);
-    let [i, m] = [*arrives, vec3(sine, cosine, 0.0)];
+    let arrives = Dir3::new_or(xy(sine, -cosine), Dir3::Y);
+    let [i, m] = [*arrives, *reflect(arrives, Dir3::Y)];
     let t = refract(arrives, Dir3::Y, AIR, index).map_or(i, |t| *t);
-    figure(SIZE.0, SIZE.1, |canvas| {
+    flat(SIZE, Vec3::ZERO, HEIGHT, |sketch| {
         let aspect = SIZE.0 as f32 / SIZE.1 as f32;
-        // A view of the plane z = 0, at the focal length: so a metre of the film is a metre of the plane.
-        let mut viewer = Pinhole::look_at(Vec3::Z, Vec3::ZERO, Vec3::Y, 1.0, aspect)?;
-        viewer.plane = HEIGHT * vec2(aspect, 1.0);
-        let sketch = Sketch { canvas, viewer };
-        surface(&sketch, aspect)?;
+        surface(sketch, aspect)?;
         let [along, up] = [Vec3::X, Vec3::Y];
         let part = |from: Vec3, to: Vec3, colour| sketch.arrow(from, to, colour, 5);
         let whole = |from: Vec3, to: Vec3, colour| sketch.arrow(from, to, colour, 9);
         let name = |at: Vec3, [x, y]: [f32; 2], words: &str, colour, end: Pos| {
-            let place = sketch.at(at) + vec2(x, y);
-            let place = (place.x as i32, place.y as i32);
-            write(canvas, words, place, coloured(LETTERS, colour).pos(end))
+            sketch.words(at, vec2(x, y), words, colour, end)
         };
 
         let foot = -sine * along;
@@ -100,12 +90,8 @@ pub(super) fn diagram(index: f32) -> Figure {
 
         sketch.arrow(Vec3::ZERO, NORMAL * up, INK, 5)?;
         name(NORMAL * up, [20.0, 10.0], "n", INK, LEFT)?;
-        let [theta_1, theta_2] = [INCIDENCE.to_radians(), t.x.asin()];
-        arc(&sketch, FRAC_PI_2, theta_1)?;
-        arc(&sketch, -FRAC_PI_2, theta_2)?;
-        let inside = |from: f32, by: f32| 1.35 * ARC * on_circle(from + 0.5 * by);
-        name(inside(FRAC_PI_2, theta_1), [0.0; 2], "θ₁", INK, CENTRE)?;
-        name(inside(-FRAC_PI_2, theta_2), [0.0; 2], "θ₂", INK, CENTRE)?;
+        sketch.angle(Vec3::ZERO, [up, -i], ARC, "θ₁")?;
+        sketch.angle(Vec3::ZERO, [-up, t], ARC, "θ₂")?;
         let [left, right] = [-1.0, 1.0].map(|side| 0.5 * HEIGHT * aspect * side * along);
         let [top, bottom] = [1.0, -1.0].map(|side| 0.5 * HEIGHT * side * up);
         name(left + top, [40.0, 50.0], "η₁ (air)", INK, LEFT)?;
@@ -119,22 +105,7 @@ pub(super) fn diagram(index: f32) -> Figure {
 fn surface(sketch: &Sketch, aspect: f32) -> Drawn {
     let [right, down] = [0.5 * HEIGHT * aspect * Vec3::X, -0.5 * HEIGHT * Vec3::Y];
     sketch.area(&[-right, right, right + down, down - right], SKY, 0.3)?;
-    let circle: Vec<_> = (0..=120)
-        .map(|i| on_circle(i as f32 * TAU / 120.0))
-        .collect();
-    sketch.line(&circle, FAINT, 3)?;
+    sketch.circle(Vec3::ZERO, 1.0, FAINT, 3)?;
     sketch.dashes(-1.15 * Vec3::Y, 1.15 * Vec3::Y, FAINT, 3)?;
     sketch.line(&[-right, right], INK, 3)
-}
-
-/// An arc around the middle, from an angle on.
-fn arc(sketch: &Sketch, from: f32, by: f32) -> Drawn {
-    let steps = (0..=20).map(|i| from + by * i as f32 / 20.0);
-    let points: Vec<_> = steps.map(|angle| ARC * on_circle(angle)).collect();
-    sketch.line(&points, INK, 3)
-}
-
-/// The point of the circle of radius 1 at an angle from the right, upwards.
-fn on_circle(angle: f32) -> Vec3 {
-    Vec2::from_angle(angle).extend(0.0)
 }

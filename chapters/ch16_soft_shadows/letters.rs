@@ -38,18 +38,12 @@ pub(super) fn draw() -> Figure {
         sketch.line(&board, BLUE, 10)?;
         let above = xy(0.0, 0.14);
         sketch.measure(light[0] + above, light[1] + above, ORANGE)?;
-        sketch.label(xy(0.0, LIGHT.1) + above, vec2(0.0, -26.0), "w", ORANGE)?;
+        sketch.label(xy(0.0, LIGHT.1) + above, vec2(0.0, -26.0), "w", INK)?;
         sketch.measure(board[0] - above, board[1] - above, BLUE)?;
-        sketch.label(xy(0.0, BOARD.1) - above, vec2(0.0, 30.0), "b", BLUE)?;
+        sketch.label(xy(0.0, BOARD.1) - above, vec2(0.0, 30.0), "b", INK)?;
         let beside = |x: f32, high: f32, name: &str, colour, end, side: f32| {
             sketch.measure(xy(x, 0.0), xy(x, high), colour)?;
-            sketch.words(
-                xy(x, 0.55 * high),
-                vec2(side * 16.0, 0.0),
-                name,
-                colour,
-                end,
-            )
+            sketch.words(xy(x, 0.55 * high), vec2(side * 16.0, 0.0), name, INK, end)
         };
         beside(2.2, LIGHT.1, "H", ORANGE, LEFT, 1.0)?;
         beside(-1.75, BOARD.1, "h", BLUE, RIGHT, -1.0)?;

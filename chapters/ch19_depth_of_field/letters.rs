@@ -1,7 +1,7 @@
 //! The letters of the lesson: a thin lens from the side, a point in focus and one that is nearer.
 
 use crate::kit::figure::Figure;
-use crate::kit::palette::{BLUE, FAINT, INK, ORANGE, SKY, VERMILION};
+use crate::kit::palette::{BLUE, FAINT, GREEN, INK, SKY, VERMILION};
 use crate::kit::sketch::{flat, xy};
 use glam::vec2;
 use raybook::camera::lens::Lens;
@@ -72,11 +72,11 @@ pub(super) fn draw() -> Figure {
             (-film, 0.0, -1.35, "d", INK),
             (0.0, FOCUS, -1.35, "s", BLUE),
             (0.0, NEARER, 1.2, "x", VERMILION),
-            (-FOCAL_LENGTH, 0.0, -1.08, "f", ORANGE),
+            (-FOCAL_LENGTH, 0.0, -1.08, "f", GREEN),
         ] {
             sketch.measure(xy(from, y), xy(to, y), colour)?;
             sketch.label(xy(0.5 * (from + to), y), vec2(0.0, -2.0), name, colour)?;
         }
-        sketch.dot(xy(-FOCAL_LENGTH, 0.0), 9, ORANGE)
+        sketch.dot(xy(-FOCAL_LENGTH, 0.0), 11, GREEN)
     })
 }

@@ -3,7 +3,7 @@
 use crate::kit::axis::Axis;
 use crate::kit::chart::Chart;
 use crate::kit::figure::Figure;
-use crate::kit::palette::{BLUE, ORANGE, VERMILION};
+use crate::kit::palette::{BLUE, INK, ORANGE, VERMILION};
 use glam::{DVec3, dvec3};
 use plotters::prelude::Color;
 use plotters::style::text_anchor::{HPos, Pos, VPos};
@@ -45,7 +45,7 @@ pub fn draw() -> Figure {
     });
     chart
         .dashes(weak, ORANGE.stroke_width(5))
-        .label(below, (2.08, 36.0), "2/b", ORANGE);
+        .label(below, (2.08, 36.0), "2/b", INK);
     let curve = (0..=400).filter_map(|i| {
         let b = CRITICAL + 1e-7 * 1e9_f64.powf(f64::from(i) / 400.0);
         Some((b, deflection_angle(b)?.to_degrees()))

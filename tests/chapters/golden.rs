@@ -3,9 +3,9 @@
 //!
 //! `RAYBOOK_BLESS=1 cargo test --test chapters golden` keeps the pictures of today where they differ; look at them before you commit them.
 
-use raybook::image::Image;
 use raybook::image::compare::{Tolerance, compare};
 use raybook::image::file;
+use raybook::image::{Image, rgb::Rgb, tone};
 use raybook_chapters::kit::figure::SCALE;
 use raybook_chapters::kit::options::Options;
 use raybook_chapters::kit::stage::{Stage, progress_bar};
@@ -20,6 +20,9 @@ const WIDTH: u32 = 96;
 
 /// Enough that no pixel is a matter of luck.
 const SAMPLES: u32 = 4;
+
+/// Contrast that large letters have at least with their paper: WCAG 2.2, success criterion 1.4.3.
+const CONTRAST: f32 = 3.0;
 
 /// Room that `raybook present` has for a picture on a projector with 1280 × 720 pixels, beside the knobs and above a caption of three lines.
 const ROOM: (f64, f64) = (955.0, 515.0);
@@ -61,6 +64,7 @@ fn draws_its_golden_picture(lesson: &Lesson) {
     for (file, text) in drawings(&one) {
         assert_large_letters(&file, &text);
         assert_known_letters(&file, &text);
+        assert_dark_letters(&file, &text);
     }
 }
 
@@ -112,6 +116,28 @@ fn assert_large_letters(file: &Path, text: &str) {
             size >= LETTER,
             "{}: a letter of {size} pixels",
             file.display()
+        );
+    }
+}
+
+/// Words are not as light as an orange or a pale grey, which areas and lines may be. White words stand on what is dark.
+fn assert_dark_letters(file: &Path, text: &str) {
+    for part in text.split("<text").skip(1) {
+        let (_, fill) = part.split_once(" fill=\"#").expect("words have a colour");
+        let (fill, _) = fill.split_once('"').expect("a value ends");
+        if fill == "FFF" {
+            continue;
+        }
+        let channel = |i: usize| {
+            let code = u8::from_str_radix(&fill[2 * i..2 * i + 2], 16).expect("six digits");
+            tone::decode_srgb(f32::from(code) / 255.0)
+        };
+        let luminance = Rgb::new(channel(0), channel(1), channel(2)).luminance();
+        let contrast = (1.0 + 0.05) / (luminance + 0.05);
+        let file = file.display();
+        assert!(
+            contrast >= CONTRAST,
+            "{file}: words of #{fill} have a contrast of {contrast:.1} with white: {part:.80}"
         );
     }
 }

@@ -66,14 +66,14 @@ fn steps(points: &str) -> String {
         let (x, y) = point.split_once(',')?;
         Some([x.parse::<i32>().ok()?, y.parse::<i32>().ok()?])
     });
-    let mut text = String::new();
     let mut before = [0, 0];
-    for (i, [x, y]) in points.enumerate() {
-        text.push_str(["", "l", " "][i.min(2)]);
-        text.push_str(&format!("{},{}", x - before[0], y - before[1]));
+    let steps = points.enumerate().map(|(i, [x, y])| {
+        let letter = ["", "l", " "][i.min(2)];
+        let step = format!("{letter}{},{}", x - before[0], y - before[1]);
         before = [x, y];
-    }
-    text
+        step
+    });
+    steps.collect()
 }
 
 /// The same drawing, with one stroke around words that stand on themselves in white, a little moved to all sides: pixels know no other rim.
